@@ -1,0 +1,40 @@
+"""glsim: how light becomes pixels, to teach and to learn.
+
+    import glsim
+    from glsim.gl import *
+
+    screen = glsim.offscreen(512, 512)
+    ...                     # glClear, glLightfv, glBegin, ... as in any textbook
+    screen.save("picture.png")
+
+Names are imported when they are first used, so that ``import glsim`` is quick.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+__version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from glsim.render.context import Offscreen as Offscreen
+    from glsim.render.context import offscreen as offscreen
+    from glsim.render.device import NoDeviceError as NoDeviceError
+
+_HOME = {
+    "offscreen": "glsim.render.context",
+    "Offscreen": "glsim.render.context",
+    "NoDeviceError": "glsim.render.device",
+}
+__all__ = ["__version__", *_HOME]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOME:
+        return getattr(import_module(_HOME[name]), name)
+    raise AttributeError(f"module 'glsim' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -1,0 +1,40 @@
+"""Files: where glsim's own data lie, and writing without ever leaving half a file behind."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+
+def data_folder(kind: str) -> Path:
+    """The folder ``shaders`` or ``lessons``: inside the package when installed, beside it in a checkout."""
+    package = Path(__file__).parent
+    inside = package / kind
+    return inside if inside.is_dir() else package.parent / kind
+
+
+def write_atomically(path: str | os.PathLike[str], save: Callable[[str], object]) -> None:
+    """Call ``save`` with a temporary name beside ``path`` and rename the result when it is whole.
+
+    Raises FileNotFoundError if the folder does not exist.
+    """
+    target = Path(path)
+    if not target.parent.is_dir():
+        raise FileNotFoundError(f"cannot write {target}: there is no folder {target.parent}; make it first")
+    handle, name = tempfile.mkstemp(suffix=target.suffix, prefix=f".{target.stem}-", dir=target.parent)
+    os.close(handle)
+    try:
+        save(name)
+        umask = os.umask(0)
+        os.umask(umask)
+        os.chmod(name, 0o666 & ~umask)
+        os.replace(name, target)
+    except BaseException:
+        os.unlink(name)
+        raise
+
+
+def write_text(path: str | os.PathLike[str], text: str) -> None:
+    write_atomically(path, lambda name: Path(name).write_text(text, encoding="utf-8"))

@@ -1,0 +1,304 @@
+"""Vertex arrays: section 2.8 of the specification.
+
+The arrays are read when glDrawArrays or glDrawElements is called, as a driver does.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.gl.arguments import DTYPES, array_from
+from glsim.machine.assembly import MINIMUM
+from glsim.machine.constants import (
+    GL_COLOR_ARRAY,
+    GL_EDGE_FLAG_ARRAY,
+    GL_FLOAT,
+    GL_FOG_COORDINATE_ARRAY,
+    GL_INDEX_ARRAY,
+    GL_NORMAL_ARRAY,
+    GL_SECONDARY_COLOR_ARRAY,
+    GL_TEXTURE0,
+    GL_TEXTURE_COORD_ARRAY,
+    GL_UNSIGNED_BYTE,
+    GL_UNSIGNED_INT,
+    GL_UNSIGNED_SHORT,
+    GL_VERTEX_ARRAY,
+    Enum,
+)
+from glsim.machine import constants
+from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
+from glsim.machine.frame import ROW
+from glsim.machine.machine import Machine
+
+ARRAYS: dict[int, Enum] = {
+    int(array): array
+    for array in (
+        GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_INDEX_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_EDGE_FLAG_ARRAY,
+        GL_FOG_COORDINATE_ARRAY, GL_SECONDARY_COLOR_ARRAY,
+    )
+}  # fmt: skip
+
+
+class Pointer(NamedTuple):
+    """What glVertexPointer and its kin remember; ``data`` is None until they are called."""
+
+    size: int = 4
+    type: int = GL_FLOAT
+    stride: int = 0
+    data: Any = None
+
+
+class Client(NamedTuple):
+    """State of one vertex array."""
+
+    enabled: bool = False
+    pointer: Pointer = Pointer()
+
+
+def _set_pointer(m: Machine, array: int, pointer: Pointer, sizes: tuple[int, ...]) -> None:
+    if pointer.size not in sizes:
+        raise invalid_value("size", pointer.size, " or ".join(map(str, sizes)))
+    if pointer.type not in DTYPES:
+        raise invalid_enum("type", pointer.type, "GL_FLOAT, GL_UNSIGNED_BYTE or another number type")
+    if pointer.stride < 0:
+        raise invalid_value("stride", pointer.stride, "at least 0")
+    data = array_from(pointer.data, DTYPES[pointer.type], "pointer")
+    m.client[array] = client(m, array)._replace(pointer=pointer._replace(data=data))
+
+
+def client(m: Machine, array: int) -> Client:
+    return m.client.get(array) or Client()
+
+
+def glVertexPointer(m: Machine, size: int, type: int, stride: int, pointer: Any) -> None:
+    _set_pointer(m, GL_VERTEX_ARRAY, Pointer(size, type, stride, pointer), (2, 3, 4))
+
+
+def glNormalPointer(m: Machine, type: int, stride: int, pointer: Any) -> None:
+    _set_pointer(m, GL_NORMAL_ARRAY, Pointer(3, type, stride, pointer), (3,))
+
+
+def glColorPointer(m: Machine, size: int, type: int, stride: int, pointer: Any) -> None:
+    _set_pointer(m, GL_COLOR_ARRAY, Pointer(size, type, stride, pointer), (3, 4))
+
+
+def glSecondaryColorPointer(m: Machine, size: int, type: int, stride: int, pointer: Any) -> None:
+    _set_pointer(m, GL_SECONDARY_COLOR_ARRAY, Pointer(size, type, stride, pointer), (3,))
+
+
+def glTexCoordPointer(m: Machine, size: int, type: int, stride: int, pointer: Any) -> None:
+    _set_pointer(m, GL_TEXTURE_COORD_ARRAY, Pointer(size, type, stride, pointer), (1, 2, 3, 4))
+
+
+def glFogCoordPointer(m: Machine, type: int, stride: int, pointer: Any) -> None:
+    _set_pointer(m, GL_FOG_COORDINATE_ARRAY, Pointer(1, type, stride, pointer), (1,))
+
+
+def glIndexPointer(m: Machine, type: int, stride: int, pointer: Any) -> None:
+    _set_pointer(m, GL_INDEX_ARRAY, Pointer(1, type, stride, pointer), (1,))
+
+
+def glEdgeFlagPointer(m: Machine, stride: int, pointer: Any) -> None:
+    _set_pointer(m, GL_EDGE_FLAG_ARRAY, Pointer(1, GL_UNSIGNED_BYTE, stride, pointer), (1,))
+
+
+def _set_client_state(m: Machine, array: int, enabled: bool) -> None:
+    if array not in ARRAYS:
+        raise invalid_enum("array", array, "GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY or another vertex array")
+    m.client[array] = client(m, array)._replace(enabled=enabled)
+
+
+def glEnableClientState(m: Machine, array: int) -> None:
+    _set_client_state(m, array, True)
+
+
+def glDisableClientState(m: Machine, array: int) -> None:
+    _set_client_state(m, array, False)
+
+
+def glClientActiveTexture(m: Machine, texture: int) -> None:
+    if texture != GL_TEXTURE0:
+        raise NotImplementedError("glClientActiveTexture: more than one texture unit is not in glsim yet")
+
+
+# format of glInterleavedArrays: texture coordinates, colour size and type, normal?, vertex size (table 2.5)
+INTERLEAVED: dict[str, tuple[int, int, int, bool, int]] = {
+    "GL_V2F": (0, 0, 0, False, 2),
+    "GL_V3F": (0, 0, 0, False, 3),
+    "GL_C4UB_V2F": (0, 4, GL_UNSIGNED_BYTE, False, 2),
+    "GL_C4UB_V3F": (0, 4, GL_UNSIGNED_BYTE, False, 3),
+    "GL_C3F_V3F": (0, 3, GL_FLOAT, False, 3),
+    "GL_N3F_V3F": (0, 0, 0, True, 3),
+    "GL_C4F_N3F_V3F": (0, 4, GL_FLOAT, True, 3),
+    "GL_T2F_V3F": (2, 0, 0, False, 3),
+    "GL_T4F_V4F": (4, 0, 0, False, 4),
+    "GL_T2F_C4UB_V3F": (2, 4, GL_UNSIGNED_BYTE, False, 3),
+    "GL_T2F_C3F_V3F": (2, 3, GL_FLOAT, False, 3),
+    "GL_T2F_N3F_V3F": (2, 0, 0, True, 3),
+    "GL_T2F_C4F_N3F_V3F": (2, 4, GL_FLOAT, True, 3),
+    "GL_T4F_C4F_N3F_V4F": (4, 4, GL_FLOAT, True, 4),
+}
+FORMATS = {int(getattr(constants, name)): layout for name, layout in INTERLEAVED.items()}
+
+
+def glInterleavedArrays(m: Machine, format: int, stride: int, pointer: Any) -> None:
+    layout = FORMATS.get(format)
+    if layout is None:
+        raise invalid_enum("format", format, "an interleaved format such as GL_N3F_V3F")
+    texture, color, color_type, normal, vertex = layout
+    data = array_from(pointer, np.float32, "pointer").view(np.uint8)
+    offset = 0
+    parts = (
+        (GL_TEXTURE_COORD_ARRAY, texture, GL_FLOAT),
+        (GL_COLOR_ARRAY, color, color_type),
+        (GL_NORMAL_ARRAY, 3 if normal else 0, GL_FLOAT),
+        (GL_VERTEX_ARRAY, vertex, GL_FLOAT),
+    )
+    total = sum(_bytes(size, kind) for _, size, kind in parts)
+    for array, size, kind in parts:
+        if size:
+            m.client[array] = Client(True, Pointer(size, kind, stride or total, data[offset:]))
+            offset += _bytes(size, kind)
+        else:
+            m.client[array] = client(m, array)._replace(enabled=False)
+    for array in (GL_INDEX_ARRAY, GL_EDGE_FLAG_ARRAY):
+        m.client[array] = client(m, array)._replace(enabled=False)
+
+
+def _bytes(size: int, kind: int) -> int:
+    return size * np.dtype(DTYPES[kind]).itemsize if size else 0
+
+
+def elements(pointer: Pointer, first: int, count: int) -> NDArray[Any]:
+    """Elements ``first`` to ``first + count`` of an array, shape (count, size), as they lie in the program's memory."""
+    dtype = np.dtype(DTYPES[pointer.type])
+    width = pointer.size * dtype.itemsize
+    stride = pointer.stride or width
+    memory = pointer.data.view(np.uint8)
+    end = (first + count - 1) * stride + width
+    if first < 0 or end > memory.size:
+        there = max(0, (memory.size - width) // stride + 1)
+        raise ValueError(f"element {first + count - 1} was asked of a vertex array of {there} elements")
+    if stride % dtype.itemsize == 0 and memory.size % dtype.itemsize == 0:
+        return np.ndarray((count, pointer.size), dtype, memory, first * stride, (stride, dtype.itemsize))
+    rows = np.ndarray((count, width), np.uint8, memory, first * stride, (stride, 1))
+    return np.ascontiguousarray(rows).view(dtype)
+
+
+def as_colour(values: NDArray[Any]) -> NDArray[Any]:
+    """Integers map linearly onto [0, 1] or [-1, 1] (table 2.9); floats stay."""
+    kind = values.dtype.kind
+    if kind == "f":
+        return values
+    scale = 2.0 ** (8 * values.dtype.itemsize) - 1.0
+    return values / scale if kind == "u" else (2.0 * values + 1.0) / scale
+
+
+def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], NDArray[np.float32] | None] | None:
+    """Rows (count, 10) and w (count,) or None from the enabled arrays; None if the vertex array is not enabled."""
+    vertex = client(m, GL_VERTEX_ARRAY)
+    if not vertex.enabled or vertex.pointer.data is None:
+        return None
+    rows = np.empty((count, ROW), np.float32)
+    positions = elements(vertex.pointer, first, count)
+    size = vertex.pointer.size
+    rows[:, :size] = positions[:, :3]
+    if size == 2:
+        rows[:, 2] = 0.0
+    w = positions[:, 3].astype(np.float32) if size == 4 else None
+    normal = client(m, GL_NORMAL_ARRAY)
+    rows[:, 3:6] = as_colour(elements(normal.pointer, first, count)) if _usable(normal) else (m.nx, m.ny, m.nz)
+    color = client(m, GL_COLOR_ARRAY)
+    if _usable(color):
+        rows[:, 6 : 6 + color.pointer.size] = as_colour(elements(color.pointer, first, count))
+        if color.pointer.size == 3:
+            rows[:, 9] = 1.0
+    else:
+        rows[:, 6:10] = m.red, m.green, m.blue, m.alpha
+    return rows, w
+
+
+def _usable(array: Client) -> bool:
+    return array.enabled and array.pointer.data is not None
+
+
+def _check_mode(mode: int) -> None:
+    if mode not in MINIMUM:
+        raise invalid_enum("mode", mode, "one of the ten primitives GL_POINTS to GL_POLYGON")
+
+
+def glDrawArrays(m: Machine, mode: int, first: int, count: int) -> None:
+    _check_mode(mode)
+    if count < 0 or first < 0:
+        raise invalid_value("first and count", (first, count), "at least 0")
+    found = gather(m, int(first), int(count)) if count else None
+    if found is not None:
+        m.add_draw(mode, found[0], found[1], None)
+
+
+def glMultiDrawArrays(m: Machine, mode: int, first: Any, count: Any, primcount: int) -> None:
+    for k in range(primcount):
+        glDrawArrays(m, mode, first[k], count[k])
+
+
+INDEX_TYPES = (GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT)
+
+
+def glDrawElements(m: Machine, mode: int, count: int, type: int, indices: Any) -> None:
+    _check_mode(mode)
+    if count < 0:
+        raise invalid_value("count", count, "at least 0")
+    if type not in INDEX_TYPES:
+        raise invalid_enum("type", type, "GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT")
+    dtype = DTYPES[type]
+    numbers = array_from(indices, dtype, "indices").view(dtype)
+    if numbers.size < count:
+        raise ValueError(f"indices holds {numbers.size} numbers, but count is {count}")
+    numbers = numbers[:count].astype(np.uint32)
+    if not count:
+        return
+    least, most = int(numbers.min()), int(numbers.max())
+    found = gather(m, least, most - least + 1)
+    if found is not None:
+        m.add_draw(mode, found[0], found[1], numbers - np.uint32(least))
+
+
+def glDrawRangeElements(m: Machine, mode: int, start: int, end: int, count: int, type: int, indices: Any) -> None:
+    if end < start:
+        raise invalid_value("end", end, f"at least start ({start})")
+    glDrawElements(m, mode, count, type, indices)
+
+
+def glMultiDrawElements(m: Machine, mode: int, count: Any, type: int, indices: Any, primcount: int) -> None:
+    for k in range(primcount):
+        glDrawElements(m, mode, count[k], type, indices[k])
+
+
+def glArrayElement(m: Machine, i: int) -> None:
+    if i < 0:
+        raise invalid_value("i", i, "at least 0")
+    normal, color = client(m, GL_NORMAL_ARRAY), client(m, GL_COLOR_ARRAY)
+    if _usable(normal):
+        m.nx, m.ny, m.nz = as_colour(elements(normal.pointer, i, 1))[0].tolist()
+    if _usable(color):
+        values = as_colour(elements(color.pointer, i, 1))[0].tolist()
+        m.red, m.green, m.blue, m.alpha = [*values, 1.0][:4]
+    texture = client(m, GL_TEXTURE_COORD_ARRAY)
+    if _usable(texture):
+        given = elements(texture.pointer, i, 1)[0].tolist()
+        m.texcoord[0] = tuple([*given, *(0.0, 0.0, 0.0, 1.0)[len(given) :]])  # type: ignore[assignment]
+    vertex = client(m, GL_VERTEX_ARRAY)
+    if _usable(vertex):
+        if m.inside is None:
+            raise invalid_operation("a vertex is only allowed between glBegin and glEnd")
+        found = gather(m, i, 1)
+        assert found is not None
+        rows, w = found
+        if w is not None:
+            m.w_rows.append((m.stream.tell() // (4 * ROW), w))
+        m.write(rows.tobytes())
+
+

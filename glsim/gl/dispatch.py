@@ -1,0 +1,193 @@
+"""From the command table and the hand-written bodies to the public functions.
+
+A body, such as ``glLight`` in light.py, takes the machine and the arguments in their plainest form.  Its public
+functions (glLightf, glLightfv, glLighti, glLightiv) convert what they are given, refuse to run between glBegin and
+glEnd if the table says so, hand the call to the recorder if there is one, and put the name of the call into errors.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from typing import Any
+
+from glsim.gl.arguments import numbers, signed_colour
+from glsim.gl.query import COLOURS, answer
+from glsim.machine.commands import FAMILIES, Command
+from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
+from glsim.machine.current import on_switch
+from glsim.machine.errors import GLError, explain
+
+Function = Callable[..., Any]
+m: Any
+ERRORS = (GLError, TypeError, ValueError, OverflowError, NotImplementedError)
+
+
+def _switch(machine: Any) -> None:
+    global m
+    m = machine
+
+
+on_switch(_switch)
+
+_TEMPLATE = """
+def bind(name, body):
+    def command({arguments}):
+        if m.{flag}:
+            return m.{route}(name, ({tuple}))
+        try:
+            return body(m{call})
+        except ERRORS as error:
+            raise explain(error, name, ({tuple})) from None
+    return command
+"""
+_binders: dict[tuple[int, bool], Function] = {}
+
+
+def _binder(count: int, inside: bool) -> Function:
+    """The function that makes a public function of ``count`` arguments from a name and a body."""
+    if (count, inside) not in _binders:
+        words = [f"a{k}" for k in range(count)]
+        flag, route = ("recorder", "recorder") if inside else ("busy", "intercept")
+        source = _TEMPLATE.format(
+            arguments=", ".join(words),
+            tuple="".join(f"{word}, " for word in words),
+            call="".join(f", {word}" for word in words),
+            flag=flag,
+            route=route,
+        )
+        scope: dict[str, Any] = {}
+        exec(compile(source, f"<gl command of {count} arguments>", "exec"), globals(), scope)
+        _binders[count, inside] = scope["bind"]
+    return _binders[count, inside]
+
+
+def public(command: Command, body: Function, parameters: tuple[str, ...], defaults: tuple[Any, ...] | None) -> Function:
+    """A public function with the command's own name and argument names."""
+    made = _binder(len(parameters), command.inside)(command.name, body)
+    code = made.__code__
+    made.__code__ = code.replace(
+        co_name=command.name, co_varnames=(*parameters, *code.co_varnames[len(parameters) :]), co_qualname=command.name
+    )
+    made.__name__ = made.__qualname__ = command.name
+    made.__module__ = "glsim.gl"
+    made.__doc__ = body.__doc__
+    made.__defaults__ = defaults
+    return made  # type: ignore[no-any-return]
+
+
+def variant(command: Command, body: Function) -> Function:
+    """The public function of one row of the table, from the body of its family."""
+    family = FAMILIES[command.family]
+    if len(family) == 1 and not command.vector or body.__name__ == command.name:
+        parameters = tuple(inspect.signature(body).parameters)[1:]
+        return public(command, body, parameters, body.__defaults__)
+    return public(command, _adapt(command, body), command.parameters, None)
+
+
+def _adapt(command: Command, body: Function) -> Function:
+    """The body with this variant's arguments turned into the plain ones."""
+    kind = command.type
+    if command.result:  # glGetLightfv: numbers -> an array of the variant's type
+        return lambda m, *a: answer(body(m, *a), kind, a[-1] in COLOURS)
+    if command.family == "glRect" and command.vector:
+        return lambda m, v1, v2: body(m, *v1, *v2)
+    if command.family == "glPixelStore" or command.size == 16 or not command.vector and command.size != 1:
+        return body if kind not in _SCALES else _scaled(body, _SCALES[kind], command)
+    if command.size == 0 or command.arguments[-1][0] == "param":  # a named parameter
+        return _integer_parameter(body) if kind == "i" else body
+    if command.vector:
+        many = len(command.arguments) - 1
+        inner = body if kind not in _SCALES else _scaled(body, _SCALES[kind], command)
+        return lambda m, *a: inner(m, *a[:many], *numbers(a[many])[: command.size])
+    return body
+
+
+# glSecondaryColor's integers, like glColor's (table 2.9)
+_SCALES: dict[str, Callable[[float], float]] = {
+    "ub": lambda x: x / 255.0,
+    "us": lambda x: x / 65535.0,
+    "ui": lambda x: x / 4294967295.0,
+    "b": lambda x: (2 * x + 1) / 255.0,
+    "s": lambda x: (2 * x + 1) / 65535.0,
+    "i": signed_colour,
+}
+
+
+def _scaled(body: Function, scale: Callable[[float], float], command: Command) -> Function:
+    if command.family != "glSecondaryColor":
+        return body
+    return lambda m, *a: body(m, *map(scale, a))
+
+
+def _integer_parameter(body: Function) -> Function:
+    """glLightiv and the like: integers that are colours map linearly onto [-1, 1], others are taken as they are."""
+
+    def integers(m: Any, *arguments: Any) -> Any:
+        *first, params = arguments
+        if first[-1] in COLOURS or first[-1] == GL_AMBIENT_AND_DIFFUSE:
+            params = tuple(map(signed_colour, numbers(params)))
+        return body(m, *first, params)
+
+    return integers
+
+
+def missing(command: Command) -> Function:
+    """A command of OpenGL 1.5 that is not there yet says so."""
+
+    def body(m: Any, *arguments: Any) -> Any:
+        raise NotImplementedError(f"{command.name} is not in glsim yet (glsim.gl.UNSUPPORTED lists what is missing)")
+
+    body.__name__ = command.name
+    return public(command, body, command.parameters, None)
+
+
+def suffix_free(family: str, functions: dict[str, Function]) -> Function:
+    """PyOpenGL's glVertex, glColor, glLight, ...: the variant follows from what is passed."""
+    rows = FAMILIES[family]
+    if rows[0].arguments[-1][0] == "param":
+        call = _suffix_free_parameter(family, functions)
+    else:
+        call = _suffix_free_components(family, functions)
+    call.__name__ = call.__qualname__ = family
+    call.__module__ = "glsim.gl"
+    call.__doc__ = f"{family} with any number type and count: {', '.join(row.name for row in rows[:4])}, ..."
+    return call
+
+
+def _suffix_free_parameter(family: str, functions: dict[str, Function]) -> Function:
+    scalar, vector = functions[f"{family}f"], functions.get(f"{family}fv")
+
+    def call(*arguments: Any) -> Any:
+        one = isinstance(arguments[-1], (int, float)) or vector is None
+        return (scalar if one else vector)(*arguments)  # type: ignore[misc]
+
+    return call
+
+
+def _suffix_free_components(family: str, functions: dict[str, Function]) -> Function:
+    rows = FAMILIES[family]
+    by_count = {row.size: functions[row.name] for row in rows if not row.vector and row.type == "d"}
+    leading = len(rows[0].arguments) - rows[0].size  # glMultiTexCoord's target
+
+    def call(*arguments: Any) -> Any:
+        rest = arguments[leading:]
+        if len(rest) == 1 and not isinstance(rest[0], (int, float)):
+            rest = numbers(rest[0])
+        elif family == "glRect" and len(rest) == 2:
+            rest = (*numbers(rest[0]), *numbers(rest[1]))
+        function = by_count.get(len(rest))
+        if function is None:
+            counts = " or ".join(map(str, sorted(by_count)))
+            raise TypeError(f"{family} takes {counts} numbers, or a sequence of them, not {len(rest)}")
+        return function(*arguments[:leading], *rest)
+
+    return call
+
+
+SUFFIX_FREE = (
+    "glVertex", "glNormal", "glColor", "glTexCoord", "glMultiTexCoord", "glSecondaryColor", "glFogCoord", "glIndex",
+    "glRect", "glRotate", "glTranslate", "glScale", "glRasterPos", "glWindowPos", "glEvalCoord", "glMaterial",
+    "glLight", "glLightModel", "glFog", "glTexEnv", "glTexGen", "glTexParameter", "glPixelStore", "glPixelTransfer",
+    "glPointParameter",
+)  # fmt: skip

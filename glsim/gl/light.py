@@ -1,0 +1,244 @@
+"""Lighting and materials: section 2.14 of the specification."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from glsim.gl.arguments import exactly, numbers
+from glsim.machine.constants import (
+    GL_AMBIENT,
+    GL_AMBIENT_AND_DIFFUSE,
+    GL_BACK,
+    GL_BLINN_TORRANCE_GLSIM,
+    GL_CLAMP_NORMAL_GLSIM,
+    GL_COLOR_INDEXES,
+    GL_CONSTANT_ATTENUATION,
+    GL_DIFFUSE,
+    GL_EMISSION,
+    GL_FLAT,
+    GL_FLIP_NORMAL_GLSIM,
+    GL_FRONT,
+    GL_FRONT_AND_BACK,
+    GL_LIGHT0,
+    GL_LIGHT_MODEL_AMBIENT,
+    GL_LIGHT_MODEL_BACK_LIGHTING_GLSIM,
+    GL_LIGHT_MODEL_COLOR_CONTROL,
+    GL_LIGHT_MODEL_LOCAL_VIEWER,
+    GL_LIGHT_MODEL_SPECULAR_LOBE_GLSIM,
+    GL_LIGHT_MODEL_TWO_SIDE,
+    GL_LINEAR_ATTENUATION,
+    GL_PHONG_LOBE_GLSIM,
+    GL_PHONG_WIN,
+    GL_POSITION,
+    GL_QUADRATIC_ATTENUATION,
+    GL_SEPARATE_SPECULAR_COLOR,
+    GL_SHININESS,
+    GL_SINGLE_COLOR,
+    GL_SMOOTH,
+    GL_SPECULAR,
+    GL_SPOT_CUTOFF,
+    GL_SPOT_DIRECTION,
+    GL_SPOT_EXPONENT,
+)
+from glsim.machine.errors import invalid_enum, invalid_value
+from glsim.machine.machine import Machine
+from glsim.machine.matrix import transform, transform_direction
+from glsim.machine.state import MAX_LIGHTS, Color, Face, Light, Material
+
+FACES = "GL_FRONT, GL_BACK or GL_FRONT_AND_BACK"
+LIGHT_COLORS = {GL_AMBIENT: "ambient", GL_DIFFUSE: "diffuse", GL_SPECULAR: "specular"}
+ATTENUATIONS = {
+    GL_CONSTANT_ATTENUATION: "constant_attenuation",
+    GL_LINEAR_ATTENUATION: "linear_attenuation",
+    GL_QUADRATIC_ATTENUATION: "quadratic_attenuation",
+}
+# Fields of state.Face that a pname of glMaterial sets.
+FIELDS = {
+    GL_AMBIENT: (0,),
+    GL_DIFFUSE: (1,),
+    GL_AMBIENT_AND_DIFFUSE: (0, 1),
+    GL_SPECULAR: (2,),
+    GL_EMISSION: (3,),
+}
+
+
+def _color(params: Any) -> Color:
+    """Four numbers; a missing alpha is 1."""
+    values = numbers(params)
+    if len(values) < 3:
+        raise ValueError(f"a colour needs four numbers (red, green, blue, alpha), not {len(values)}")
+    return values[:4] if len(values) >= 4 else (*values, 1.0)  # type: ignore[return-value]
+
+
+def glShadeModel(m: Machine, mode: int) -> None:
+    """GL_FLAT: the equation once per primitive; GL_SMOOTH: per vertex; GL_PHONG_WIN: per fragment."""
+    if mode not in (GL_FLAT, GL_SMOOTH, GL_PHONG_WIN):
+        raise invalid_enum("mode", mode, "GL_FLAT, GL_SMOOTH or GL_PHONG_WIN")
+    m.lighting = m.lighting._replace(shade_model=mode)
+
+
+def glMaterial(m: Machine, face: int, pname: int, params: Any) -> None:
+    material = m.material
+    sides = _SIDES.get(face)
+    if sides is None:
+        raise invalid_enum("face", face, FACES)
+    fields = FIELDS.get(pname)
+    if fields is not None:
+        value = _color(params)
+        faces = [_with(old, fields, value) if use else old for old, use in zip(material, sides, strict=True)]
+    elif pname == GL_SHININESS:
+        (n,) = exactly(params, 1, "GL_SHININESS")
+        if not 0.0 <= n <= 128.0:
+            raise invalid_value("GL_SHININESS", n, "in [0, 128]")
+        faces = [old._replace(shininess=n) if use else old for old, use in zip(material, sides, strict=True)]
+    elif pname == GL_COLOR_INDEXES:
+        raise NotImplementedError("glMaterial(GL_COLOR_INDEXES): colour-index mode is not emulated; use RGBA colours")
+    else:
+        expected = "GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION or GL_SHININESS"
+        raise invalid_enum("pname", pname, expected)
+    m.material = Material._make(faces)
+    if m.inside is not None:
+        m.materials.append((m.stream.tell() // 40, m.material))
+
+
+_SIDES = {GL_FRONT: (True, False), GL_BACK: (False, True), GL_FRONT_AND_BACK: (True, True)}
+
+
+def _with(face: Face, fields: tuple[int, ...], value: Color) -> Face:
+    changed: list[Any] = list(face)
+    for field in fields:
+        changed[field] = value
+    return Face._make(changed)
+
+
+def current_material(m: Machine) -> Material:
+    """The material in force: with GL_COLOR_MATERIAL the tracked properties are the current colour."""
+    lighting = m.lighting
+    if not lighting.color_material:
+        return m.material
+    color = (m.red, m.green, m.blue, m.alpha)
+    fields = FIELDS[lighting.color_material_mode]  # type: ignore[index]
+    sides = _SIDES[lighting.color_material_face]  # type: ignore[index]
+    return Material._make(_with(old, fields, color) if use else old for old, use in zip(m.material, sides, strict=True))
+
+
+def glColorMaterial(m: Machine, face: int, mode: int) -> None:
+    if face not in _SIDES:
+        raise invalid_enum("face", face, FACES)
+    if mode not in FIELDS:
+        raise invalid_enum("mode", mode, "GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR or GL_EMISSION")
+    m.material = current_material(m)  # what was tracked until now stays
+    m.lighting = m.lighting._replace(color_material_face=face, color_material_mode=mode)
+
+
+def set_color_material(m: Machine, enabled: bool) -> None:
+    """glEnable/glDisable(GL_COLOR_MATERIAL): the tracked properties keep the last colour."""
+    m.material = current_material(m)
+    m.lighting = m.lighting._replace(color_material=enabled)
+
+
+def _light_number(light: int) -> int:
+    number = light - GL_LIGHT0
+    if not 0 <= number < MAX_LIGHTS:
+        raise invalid_enum("light", light, f"GL_LIGHT0 to GL_LIGHT{MAX_LIGHTS - 1}")
+    return number
+
+
+def glLight(m: Machine, light: int, pname: int, params: Any) -> None:
+    """Position and spot direction are transformed by the modelview matrix NOW (section 2.14.1)."""
+    number = _light_number(light)
+    old = m.lighting.lights[number]
+    if pname in LIGHT_COLORS:
+        new = old._replace(**{LIGHT_COLORS[pname]: _color(params)})  # type: ignore[index, arg-type]
+    elif pname == GL_POSITION:
+        values = numbers(params)
+        if len(values) < 3:
+            raise ValueError(f"GL_POSITION needs four numbers (x, y, z, w), not {len(values)}")
+        position = np.array([*values, 0.0][:4], np.float32)  # a missing w: a direction
+        eye = transform(m.modelview[-1].get(), position).tolist()
+        new = old._replace(position=tuple(eye))
+    elif pname == GL_SPOT_DIRECTION:
+        direction = np.array(exactly(params, 3, "GL_SPOT_DIRECTION"), np.float32)
+        eye = transform_direction(m.modelview[-1].get(), direction).tolist()
+        new = old._replace(spot_direction=tuple(eye))
+    else:
+        new = _light_number_parameter(old, pname, params)
+    lights = m.lighting.lights
+    m.lighting = m.lighting._replace(lights=(*lights[:number], new, *lights[number + 1 :]))
+
+
+def _light_number_parameter(old: Light, pname: int, params: Any) -> Light:
+    if pname == GL_SPOT_EXPONENT:
+        (value,) = exactly(params, 1, "GL_SPOT_EXPONENT")
+        if not 0.0 <= value <= 128.0:
+            raise invalid_value("GL_SPOT_EXPONENT", value, "in [0, 128]")
+        return old._replace(spot_exponent=value)
+    if pname == GL_SPOT_CUTOFF:
+        (value,) = exactly(params, 1, "GL_SPOT_CUTOFF")
+        if not (0.0 <= value <= 90.0 or value == 180.0):
+            raise invalid_value("GL_SPOT_CUTOFF", value, "an angle in [0, 90] degrees, or 180 for no spot")
+        return old._replace(spot_cutoff=value)
+    if pname in ATTENUATIONS:
+        (value,) = exactly(params, 1, "an attenuation")
+        if not value >= 0.0:
+            raise invalid_value("the attenuation", value, "at least 0")
+        return old._replace(**{ATTENUATIONS[pname]: value})  # type: ignore[index, arg-type]
+    raise invalid_enum("pname", pname, "a light parameter such as GL_POSITION, GL_DIFFUSE or GL_SPOT_CUTOFF")
+
+
+def glLightModel(m: Machine, pname: int, params: Any) -> None:
+    lighting = m.lighting
+    if pname == GL_LIGHT_MODEL_AMBIENT:
+        m.lighting = lighting._replace(ambient=_color(params))
+        return
+    (value,) = exactly(params, 1, "this parameter")
+    if pname == GL_LIGHT_MODEL_LOCAL_VIEWER:
+        m.lighting = lighting._replace(local_viewer=value != 0.0)
+    elif pname == GL_LIGHT_MODEL_TWO_SIDE:
+        m.lighting = lighting._replace(two_side=value != 0.0)
+    elif pname in _LIGHT_MODEL_CHOICES:
+        field, choices = _LIGHT_MODEL_CHOICES[pname]  # type: ignore[index]
+        if value not in choices:
+            names = " or ".join(repr(choice) for choice in choices)
+            raise invalid_enum("param", int(value), names)
+        m.lighting = lighting._replace(**{field: next(choice for choice in choices if choice == value)})
+    else:
+        raise invalid_enum("pname", pname, "a light model parameter such as GL_LIGHT_MODEL_AMBIENT")
+
+
+_LIGHT_MODEL_CHOICES = {
+    GL_LIGHT_MODEL_COLOR_CONTROL: ("color_control", (GL_SINGLE_COLOR, GL_SEPARATE_SPECULAR_COLOR)),
+    GL_LIGHT_MODEL_SPECULAR_LOBE_GLSIM: ("lobe", (GL_BLINN_TORRANCE_GLSIM, GL_PHONG_LOBE_GLSIM)),
+    GL_LIGHT_MODEL_BACK_LIGHTING_GLSIM: ("back_lighting", (GL_CLAMP_NORMAL_GLSIM, GL_FLIP_NORMAL_GLSIM)),
+}
+
+
+def glGetLight(m: Machine, light: int, pname: int) -> tuple[float, ...]:
+    source = m.lighting.lights[_light_number(light)]
+    if pname in LIGHT_COLORS:
+        return getattr(source, LIGHT_COLORS[pname])  # type: ignore[index, no-any-return]
+    if pname == GL_POSITION:
+        return source.position
+    if pname == GL_SPOT_DIRECTION:
+        return source.spot_direction
+    if pname == GL_SPOT_EXPONENT:
+        return (source.spot_exponent,)
+    if pname == GL_SPOT_CUTOFF:
+        return (source.spot_cutoff,)
+    if pname in ATTENUATIONS:
+        return (getattr(source, ATTENUATIONS[pname]),)  # type: ignore[index]
+    raise invalid_enum("pname", pname, "a light parameter such as GL_POSITION")
+
+
+def glGetMaterial(m: Machine, face: int, pname: int) -> tuple[float, ...]:
+    if face not in (GL_FRONT, GL_BACK):
+        raise invalid_enum("face", face, "GL_FRONT or GL_BACK")
+    side = current_material(m)[0 if face == GL_FRONT else 1]
+    if pname == GL_SHININESS:
+        return (side.shininess,)
+    fields = FIELDS.get(pname)
+    if fields is None or len(fields) > 1:
+        raise invalid_enum("pname", pname, "GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION or GL_SHININESS")
+    return side[fields[0]]  # type: ignore[no-any-return]

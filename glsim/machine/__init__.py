@@ -1,0 +1,1 @@
+"""The abstract machine that the gl commands drive: state, matrices, packets.  It knows no GPU."""

@@ -1,0 +1,128 @@
+"""Primitive assembly: which vertices make which triangle, line or point (OpenGL 1.5, section 2.6.1).
+
+Flat shading takes a primitive's colour from its provoking vertex.  The GPU takes the LAST vertex of a triangle or
+line, so the index patterns put OpenGL's provoking vertex last: the last of a triangle, the fourth of a quad, the
+first of a polygon (table 2.12).  A smooth quad is split along v0-v2, as rasterisers do; a flat one along v1-v3, where
+both triangles can end in the fourth vertex.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.machine.constants import (
+    GL_LINE_LOOP,
+    GL_LINE_STRIP,
+    GL_LINES,
+    GL_POINTS,
+    GL_POLYGON,
+    GL_QUAD_STRIP,
+    GL_QUADS,
+    GL_TRIANGLE_FAN,
+    GL_TRIANGLE_STRIP,
+    GL_TRIANGLES,
+)
+
+Indices = NDArray[np.uint32]
+
+# Smallest number of vertices that draws something, and what each further primitive adds.
+MINIMUM = {
+    GL_POINTS: (1, 1),
+    GL_LINES: (2, 2),
+    GL_LINE_STRIP: (2, 1),
+    GL_LINE_LOOP: (2, 1),
+    GL_TRIANGLES: (3, 3),
+    GL_TRIANGLE_STRIP: (3, 1),
+    GL_TRIANGLE_FAN: (3, 1),
+    GL_QUADS: (4, 4),
+    GL_QUAD_STRIP: (4, 2),
+    GL_POLYGON: (3, 1),
+}
+
+# Modes whose primitives share no vertices: several Draws of one mode in a row are like one.
+SEPARATE = {GL_POINTS, GL_LINES, GL_TRIANGLES, GL_QUADS}
+
+
+def corners(mode: int) -> int:
+    """3 for modes that make triangles, 2 for lines, 1 for points."""
+    if mode == GL_POINTS:
+        return 1
+    return 2 if mode in (GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP) else 3
+
+
+def complete(mode: int, count: int) -> int:
+    """How many of ``count`` vertices make whole primitives; the rest is ignored."""
+    least, step = MINIMUM[mode]  # type: ignore[index]
+    return 0 if count < least else count - (count - least) % step
+
+
+def assemble(mode: int, count: int, flat: bool) -> Indices | None:
+    """Vertex numbers of the triangles (three each), lines (two) or points that ``count`` vertices make.
+
+    None means 0, 1, 2, ... (nothing to rearrange).  ``flat``: the colour comes from the provoking vertex.
+    """
+    if mode in (GL_POINTS, GL_LINES, GL_TRIANGLES):
+        return None
+    pattern = _small_pattern if count <= 4096 else _pattern
+    return pattern(mode, complete(mode, count), flat)
+
+
+def _pattern(mode: int, count: int, flat: bool) -> Indices:
+    if count == 0:
+        return np.empty(0, np.uint32)
+    i = np.arange(count, dtype=np.uint32)
+    if mode == GL_LINE_STRIP:
+        return _pack(i[:-1], i[1:])
+    if mode == GL_LINE_LOOP:
+        return _pack(i, np.roll(i, -1))
+    if mode == GL_TRIANGLE_STRIP:
+        k = i[:-2]
+        odd = k % 2
+        return _pack(k + odd, k + 1 - odd, k + 2)
+    if mode == GL_TRIANGLE_FAN:
+        return _pack(np.zeros_like(i[1:-1]), i[1:-1], i[2:])
+    if mode == GL_POLYGON:
+        return _pack(i[1:-1], i[2:], np.zeros_like(i[1:-1]))
+    k = i[::4] if mode == GL_QUADS else i[:-2:2]
+    a, b, c, d = (k, k + 1, k + 2, k + 3) if mode == GL_QUADS else (k, k + 1, k + 3, k + 2)
+    if not flat:
+        return _pack(a, b, c, a, c, d)
+    if mode == GL_QUADS:
+        return _pack(a, b, d, b, c, d)
+    return _pack(a, b, c, d, a, c)  # quad strip: the provoking vertex is 2i + 4, here c
+
+
+_small_pattern = lru_cache(maxsize=512)(_pattern)
+
+
+def edges(mode: int, count: int) -> Indices:
+    """Vertex numbers of the outline of each primitive, two for each edge: no diagonals of quads and polygons.
+
+    For modes that make triangles; ``count`` vertices.
+    """
+    count = complete(mode, count)
+    if count == 0:
+        return np.empty(0, np.uint32)
+    i = np.arange(count, dtype=np.uint32)
+    if mode == GL_POLYGON:
+        return _pack(i, np.roll(i, -1))
+    if mode == GL_QUADS:
+        a = i[::4]
+        ring = (a, a + 1, a + 2, a + 3)
+    elif mode == GL_QUAD_STRIP:
+        a = i[:-2:2]
+        ring = (a, a + 1, a + 3, a + 2)
+    else:
+        triangles = assemble(mode, count, False)
+        a, b, c = (i if triangles is None else triangles).reshape(-1, 3).T
+        return _pack(a, b, b, c, c, a)
+    return _pack(ring[0], ring[1], ring[1], ring[2], ring[2], ring[3], ring[3], ring[0])
+
+
+def _pack(*columns: Indices) -> Indices:
+    indices = np.stack(columns, axis=1).ravel()
+    indices.flags.writeable = False  # shared through the cache
+    return indices

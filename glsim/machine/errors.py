@@ -1,0 +1,112 @@
+"""What a program is told when it asks for something OpenGL does not allow."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from glsim.machine.commands import COMMANDS, NUMBERS
+from glsim.machine.constants import (
+    GL_INVALID_ENUM,
+    GL_INVALID_OPERATION,
+    GL_INVALID_VALUE,
+    GL_OUT_OF_MEMORY,
+    GL_STACK_OVERFLOW,
+    GL_STACK_UNDERFLOW,
+    Enum,
+)
+
+
+class GLError(Exception):
+    """An OpenGL error, raised by the call that caused it, as PyOpenGL does.
+
+    Attributes (PyOpenGL's names):
+        err: the error code, such as GL_INVALID_ENUM.
+        baseOperation: name of the command; cArguments: what it was called with; result: None.
+        description: the sentence that says what was wrong.
+    """
+
+    def __init__(self, err: Enum, description: str) -> None:
+        super().__init__(err, description)
+        self.err = err
+        self.description = description
+        self.baseOperation: str | None = None
+        self.cArguments: tuple[Any, ...] = ()
+        self.result: Any = None
+
+    def during(self, name: str, arguments: Sequence[Any]) -> GLError:
+        """The same error, knowing the command in which it happened."""
+        if self.baseOperation is None:
+            self.baseOperation, self.cArguments = name, tuple(arguments)
+        return self
+
+    def __str__(self) -> str:
+        call = f"{self.baseOperation}: " if self.baseOperation else ""
+        return f"{call}{self.description} ({self.err!r})"
+
+
+class NoContextError(RuntimeError):
+    """A gl command was called while no context is current."""
+
+
+def invalid_enum(argument: str, value: object, expected: str) -> GLError:
+    return GLError(GL_INVALID_ENUM, f"{argument} must be {expected}, not {show(value)}")
+
+
+def invalid_value(argument: str, value: object, expected: str) -> GLError:
+    return GLError(GL_INVALID_VALUE, f"{argument} must be {expected}, not {show(value)}")
+
+
+def invalid_operation(sentence: str) -> GLError:
+    return GLError(GL_INVALID_OPERATION, sentence)
+
+
+def stack_overflow(sentence: str) -> GLError:
+    return GLError(GL_STACK_OVERFLOW, sentence)
+
+
+def stack_underflow(sentence: str) -> GLError:
+    return GLError(GL_STACK_UNDERFLOW, sentence)
+
+
+def out_of_memory(sentence: str) -> GLError:
+    return GLError(GL_OUT_OF_MEMORY, sentence)
+
+
+def show(value: object) -> str:
+    """A value as a message quotes it: never longer than a line."""
+    if isinstance(value, int) and not isinstance(value, (bool, Enum)):
+        return f"{value} (0x{value:X})" if value > 255 else str(value)
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def explain(error: Exception, name: str, arguments: Sequence[Any]) -> Exception:
+    """Turn what a command's body raised into a sentence that names the call and the argument."""
+    if isinstance(error, GLError):
+        return error.during(name, arguments)
+    command = COMMANDS.get(name)
+    for (argument, kind), value in zip(command.arguments if command else (), arguments, strict=False):
+        expected = _complaint(kind, value)
+        if expected:
+            return TypeError(f"{name}: {argument} must be {expected}, not {show(value)}")
+    return type(error)(f"{name}: {error}") if type(error) in (TypeError, ValueError, OverflowError) else error
+
+
+def _complaint(kind: str, value: object) -> str:
+    """What an argument of this type should have been; empty if the value will do."""
+    if kind == "data":
+        if isinstance(value, str):
+            return "a list, tuple or array of numbers"
+        return ""
+    try:
+        number = float(value)  # type: ignore[arg-type]
+        if isinstance(value, (str, bytes)):
+            return "a number"
+        if kind not in ("f", "d", "boolean"):
+            int(number)
+    except (TypeError, ValueError, OverflowError):
+        return "a constant such as GL_LIGHTING" if kind == "enum" else "a number"
+    if kind in NUMBERS and kind not in ("f", "d") and number != int(number):
+        return "an integer"
+    return ""

@@ -1,0 +1,172 @@
+"""Write glsim/gl/immediate.py and glsim/gl/__init__.pyi from the command table: ``python -m glsim.machine.generate``.
+
+glVertex, glNormal, glColor and glTexCoord are called once a vertex, so their code is written out: each variant
+does nothing but store.  A test checks that the files are what this program writes.
+"""
+
+from __future__ import annotations
+
+import inspect
+from pathlib import Path
+
+from glsim.machine.commands import COMMANDS, FAMILIES, Command
+from glsim.machine.constants import Enum
+
+GL = Path(__file__).parent.parent / "gl"
+HOT = ("glVertex", "glNormal", "glColor", "glTexCoord")
+
+# Integers as colours and normals map linearly onto [0, 1] or [-1, 1]: OpenGL 1.5, table 2.9.
+SCALED = {
+    "ub": "({0} & 255) / 255.0",
+    "us": "({0} & 65535) / 65535.0",
+    "ui": "({0} & 4294967295) / 4294967295.0",
+    "b": "(2 * {0} + 1) / 255.0",
+    "s": "(2 * {0} + 1) / 65535.0",
+    "i": "(2 * {0} + 1) / 4294967295.0",
+}
+PYTHON_TYPE = {"f": "float", "d": "float", "data": "Numbers", "boolean": "bool"}
+
+IMMEDIATE = '''\
+"""The commands that are called once a vertex.  Written by ``python -m glsim.machine.generate``; do not edit.
+
+A vertex is a row of ten numbers: its position beside the current normal and colour.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from struct import Struct
+from struct import error as struct_error
+from typing import Any
+
+from glsim.machine.current import on_switch
+from glsim.machine.errors import explain
+
+row = Struct("10f").pack
+BAD = (TypeError, ValueError, OverflowError, struct_error)
+Numbers = Sequence[float]
+m: Any
+
+
+def _switch(machine: Any) -> None:
+    global m
+    m = machine
+
+
+on_switch(_switch)
+
+
+def _misuse(name: str, arguments: tuple[Any, ...], error: Exception) -> Exception:
+    """The sentence for a number that is none: an argument, or the current normal or colour."""
+    found = explain(error, name, arguments)
+    if isinstance(error, struct_error) and found is error:
+        for what, value in (("normal", (m.nx, m.ny, m.nz)), ("color", (m.red, m.green, m.blue, m.alpha))):
+            try:
+                Struct(f"{len(value)}f").pack(*value)
+            except BAD:
+                return TypeError(f"{name}: the current {what} {value!r} is not made of numbers (set by gl{what.title()})")
+        return ValueError(f"{name}{arguments}: these numbers do not fit a 32-bit float")
+    return found
+'''
+
+
+def store(command: Command, values: list[str]) -> list[str]:
+    """The statements that execute one hot command on components given as expressions."""
+    if command.family == "glVertex":
+        x, y, z, *w = [*values, "0.0"][:3] + values[3:]
+        lines = [f"m.write(row({x}, {y}, {z}, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))"]
+        if w:
+            lines.append(f"if {w[0]} != 1.0 and m.inside is not None:")
+            lines.append(f"    m.w_rows.append((m.stream.tell() // {4 * 10} - 1, {w[0]}))")
+        return lines
+    if command.family == "glTexCoord":
+        return [f"m.texcoord[0] = ({', '.join([*values, *('0.0', '0.0', '0.0', '1.0')[len(values) :]])})"]
+    scale = SCALED.get(command.type, "{0}")
+    if command.family == "glNormal":
+        targets = ["m.nx", "m.ny", "m.nz"]
+    else:
+        targets = ["m.red", "m.green", "m.blue", "m.alpha"]
+        if len(values) == 3:
+            return [f"{t} = {scale.format(v)}" for t, v in zip(targets, values, strict=False)] + ["m.alpha = 1.0"]
+    return [f"{t} = {scale.format(v)}" for t, v in zip(targets, values, strict=True)]
+
+
+def hot_function(command: Command) -> str:
+    parameters = command.parameters
+    kinds = [PYTHON_TYPE.get(kind, "int") for _, kind in command.arguments]
+    signature = ", ".join(f"{name}: {kind}" for name, kind in zip(parameters, kinds, strict=True))
+    given = f"({', '.join(parameters)},)"
+    given = given.replace(",)", ")") if len(parameters) > 1 else given
+    components = FAMILIES[command.family][-2].parameters[: command.size]
+    body = store(command, list(components))
+    if command.vector:
+        unpack = f"{', '.join(components)} = v" if command.size > 1 else f"{components[0]} = _first(v)"
+        body.insert(0, unpack)
+    lines = "\n".join(f"        {line}" for line in body)
+    return (
+        f"def {command.name}({signature}) -> None:\n"
+        f"    if m.recorder:\n"
+        f'        return m.recorder("{command.name}", {given})  # type: ignore[no-any-return]\n'
+        f"    try:\n{lines}\n"
+        f"    except BAD as error:\n"
+        f'        raise _misuse("{command.name}", {given}, error) from None\n'
+    )
+
+
+def immediate() -> str:
+    first = "def _first(v: Any) -> Any:\n    return v[0] if hasattr(v, '__getitem__') else v\n".replace("'", '"')
+    functions = [hot_function(command) for family in HOT for command in FAMILIES[family]]
+    return "\n\n".join([IMMEDIATE, first, *functions])
+
+
+def stubs() -> str:
+    """glsim/gl/__init__.pyi: the signature of every command and the name of every constant."""
+    import glsim.gl as gl
+
+    lines = [
+        '"""Signatures of the gl commands.  Written by ``python -m glsim.machine.generate``; do not edit."""',
+        "",
+        "from collections.abc import Sequence",
+        "from typing import Any",
+        "",
+        "from glsim.machine.constants import Enum as Enum",
+        "from glsim.machine.errors import GLError as GLError",
+        "from glsim.machine.errors import NoContextError as NoContextError",
+        "",
+        "Numbers = float | Sequence[Any] | Any  # a number, a sequence of numbers, a numpy or ctypes array",
+        "UNSUPPORTED: tuple[str, ...]",
+        "error: type[GLError]",
+        "",
+    ]
+    for name in sorted(name for name in gl.__all__ if name.startswith("GL_")):
+        value = getattr(gl, name)
+        lines.append(f"{name}: {'Enum' if isinstance(value, Enum) else 'int'}")
+    lines.append("")
+    for name in sorted(name for name in gl.__all__ if not name.startswith("GL") and callable(getattr(gl, name))):
+        lines.append(stub(name, inspect.signature(getattr(gl, name))))
+    return "\n".join(lines) + "\n"
+
+
+def stub(name: str, signature: inspect.Signature) -> str:
+    command = COMMANDS.get(name)
+    kinds = dict(command.arguments) if command else {}
+    words = []
+    for parameter in signature.parameters.values():
+        if parameter.kind is parameter.VAR_POSITIONAL:
+            words.append(f"*{parameter.name}: Any")
+            continue
+        kind = "Any" if parameter.name not in kinds else PYTHON_TYPE.get(kinds[parameter.name], "int")
+        words.append(f"{parameter.name}: {kind}" + (" = ..." if parameter.default is not parameter.empty else ""))
+    returns = "None" if command and not command.result else "Any"
+    return f"def {name}({', '.join(words)}) -> {returns}: ..."
+
+
+def main() -> None:
+    from glsim.files import write_text
+
+    write_text(GL / "immediate.py", immediate())
+    write_text(GL / "__init__.pyi", stubs())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""From packets to pixels: opening a context, building programs, drawing."""

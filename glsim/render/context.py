@@ -1,0 +1,170 @@
+"""A picture to draw into: ``glsim.offscreen``."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.files import write_atomically
+from glsim.machine.current import current_machine, make_current
+from glsim.machine.frame import Packet
+from glsim.machine.machine import Machine
+from glsim.render.device import open_loader
+from glsim.render.draw import Renderer
+from glsim.render.raw import RawGL
+
+if TYPE_CHECKING:
+    import PIL.Image
+
+LARGEST = 16384
+GL_RGBA, GL_UNSIGNED_BYTE, GL_DEPTH_COMPONENT, GL_FLOAT, GL_PACK_ALIGNMENT = 0x1908, 0x1401, 0x1902, 0x1406, 0x0D05
+
+
+class Offscreen:
+    """A context of its own that draws without a window.  Make one with ``glsim.offscreen``.
+
+    Attributes:
+        width, height: size in pixels.  samples: multisampling, 0 for none.  backend: how it was opened.
+        machine: the state that the gl commands change.
+    """
+
+    def __init__(self, width: int, height: int, samples: int = 0, backend: str = "auto") -> None:
+        for name, value in (("width", width), ("height", height)):
+            if not isinstance(value, (int, np.integer)) or not 1 <= value <= LARGEST:
+                raise ValueError(f"glsim.offscreen: {name} must be an integer from 1 to {LARGEST}, not {value!r}")
+        self.width, self.height = int(width), int(height)
+        self.backend, self._loader = open_loader(backend)
+        self.ctx = moderngl.create_context(context=self._loader, require=330)
+        self.samples = self._samples(samples)
+        self._target = self._framebuffer(self.samples)
+        self._resolved = self._framebuffer(0) if self.samples else self._target
+        self._raw = RawGL(self._loader)
+        self._renderer = Renderer(self.ctx, self._raw)
+        self._previous: list[Any] = []
+        self.machine = Machine(self)
+        self.make_current()
+
+    def _samples(self, wanted: int) -> int:
+        most = self.ctx.max_samples
+        if not 0 <= wanted <= most:
+            raise ValueError(f"glsim.offscreen: samples must be from 0 to {most} on this device, not {wanted!r}")
+        return int(wanted)
+
+    def _framebuffer(self, samples: int) -> moderngl.Framebuffer:
+        size = (self.width, self.height)
+        color = self.ctx.renderbuffer(size, 4, samples=samples)
+        framebuffer = self.ctx.framebuffer(color, self.ctx.depth_renderbuffer(size, samples=samples))
+        framebuffer.clear()
+        return framebuffer
+
+    # ------------------------------------------------------------ current context
+
+    def make_current(self) -> Offscreen:
+        """Send the gl commands here from now on."""
+        make_current(self.machine)
+        return self
+
+    def __enter__(self) -> Offscreen:
+        self._previous.append(current_machine())
+        return self.make_current()
+
+    def __exit__(self, *exception: Any) -> None:
+        previous = self._previous.pop()
+        make_current(previous if isinstance(previous, Machine) and previous is not self.machine else None)
+
+    def release(self) -> None:
+        """Give the context's memory back now; it cannot be used afterwards."""
+        if current_machine() is self.machine:
+            make_current(None)
+        with self.ctx:
+            self.ctx.release()
+        self._loader.release()
+
+    # ------------------------------------------------------------ what the machine asks of its device
+
+    def execute(self, packets: list[Packet]) -> None:
+        with self.ctx:
+            self._target.use()
+            self._renderer.execute(packets)
+
+    def finish(self) -> None:
+        with self.ctx:
+            self._raw.glFinish()
+
+    def read(self, x: int, y: int, width: int, height: int, what: str) -> NDArray[Any]:
+        """Pixels of a rectangle, bottom row first: "color" (height, width, 4) uint8, "depth" (height, width) float32.
+
+        Pixels outside of the picture are 0.
+        """
+        with self.ctx:
+            if self.samples and what == "color":
+                self.ctx.copy_framebuffer(self._resolved, self._target)
+            self._resolved.use()
+            self._raw.glPixelStorei(GL_PACK_ALIGNMENT, 1)
+            color = what == "color"
+            pixels = np.zeros((height, width, 4), np.uint8) if color else np.zeros((height, width), np.float32)
+            kind = (GL_RGBA, GL_UNSIGNED_BYTE) if color else (GL_DEPTH_COMPONENT, GL_FLOAT)
+            self._raw.glReadPixels(x, y, width, height, *kind, pixels.ctypes.data)
+        return pixels
+
+    def describe(self) -> dict[str, Any]:
+        """Vendor, renderer and version of the driver beneath, the backend, the number of samples."""
+        info = self.ctx.info
+        return {
+            "backend": self.backend,
+            "vendor": info["GL_VENDOR"],
+            "renderer": info["GL_RENDERER"],
+            "version": info["GL_VERSION"],
+            "samples": self.samples,
+        }
+
+    # ------------------------------------------------------------ pictures
+
+    def pixels(self) -> NDArray[np.uint8]:
+        """The picture, top row first: (height, width, 4) uint8, RGBA."""
+        self.machine.flush()
+        return self.read(0, 0, self.width, self.height, "color")[::-1]
+
+    def depth(self) -> NDArray[np.float32]:
+        """The depth buffer, top row first: (height, width) float32 in [0, 1]."""
+        self.machine.flush()
+        return self.read(0, 0, self.width, self.height, "depth")[::-1]
+
+    def image(self) -> PIL.Image.Image:
+        """The picture as a PIL image without alpha."""
+        from PIL import Image
+
+        return Image.fromarray(np.ascontiguousarray(self.pixels()[..., :3]))
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the picture to a file; its ending says the format."""
+        image = self.image()
+        write_atomically(path, lambda name: image.save(name))
+
+    def reset(self) -> None:
+        """Everything as if just made: initial state, black picture."""
+        self.machine.reset()
+        with self.ctx:
+            for framebuffer in {self._target, self._resolved}:
+                framebuffer.depth_mask = True
+                framebuffer.color_mask = (True, True, True, True)
+                framebuffer.clear()
+
+    def _repr_png_(self) -> bytes:
+        return self.image()._repr_png_()  # type: ignore[no-any-return, attr-defined]
+
+
+def offscreen(width: int, height: int, *, samples: int = 0, backend: str = "auto") -> Offscreen:
+    """Open a picture of ``width`` x ``height`` pixels to draw into, and send the gl commands to it.
+
+    samples: multisampling, 0 for none.  backend: "auto", "egl", "egl:N" (device N), "osmesa", "x11" or "native";
+    "auto" honours the environment variable GLSIM_BACKEND and then tries what the platform has.
+
+    Raises NoDeviceError if no OpenGL can be opened (it says what was tried and what to install), ValueError for a
+    size or a number of samples that cannot be.
+    """
+    return Offscreen(width, height, samples, backend)

@@ -1,0 +1,98 @@
+"""Opening an OpenGL context without a window: EGL, OSMesa, X11, or what macOS and Windows have.
+
+A loader is an object with ``load(name)``, ``__enter__``, ``__exit__`` and ``release``, as glcontext makes them.
+"""
+
+from __future__ import annotations
+
+import os
+import platform
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+LIBRARIES = "apt install libegl1 libgl1 libgl1-mesa-dri"
+FIXES = {
+    "egl": LIBRARIES,
+    "osmesa": "apt install libosmesa6 (Mesa older than 25.1)",
+    "x11": "set DISPLAY, or start the program with xvfb-run -a",
+    "native": "install the graphics driver of this machine",
+}
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """One way that was tried: what it said, and what would help."""
+
+    backend: str
+    said: str
+    fix: str
+
+
+class NoDeviceError(RuntimeError):
+    """No OpenGL context could be opened; ``attempts`` lists what was tried."""
+
+    def __init__(self, attempts: list[Attempt]) -> None:
+        self.attempts = attempts
+        lines = [f"  {a.backend}: {a.said}  ->  {a.fix}" for a in attempts]
+        super().__init__("no OpenGL context could be opened. Tried:\n" + "\n".join(lines))
+
+
+def _glcontext(backend: str, **settings: Any) -> Any:
+    import glcontext
+
+    create = glcontext.get_backend_by_name("egl") if backend == "egl" else glcontext.default_backend()
+    return create(mode="standalone", glversion=330, **settings)
+
+
+def _egl(device: int | None) -> Any:
+    return _glcontext("egl", libgl="libGL.so.1", libegl="libEGL.so.1", **({} if device is None else {"device_index": device}))
+
+
+def _x11(device: int | None) -> Any:
+    if not os.environ.get("DISPLAY"):
+        raise RuntimeError("DISPLAY is not set")
+    return _glcontext("x11", libgl="libGL.so.1", libx11="libX11.so.6")
+
+
+def _osmesa(device: int | None) -> Any:
+    from glsim.render.osmesa import OSMesaLoader
+
+    return OSMesaLoader(core=True)
+
+
+def _native(device: int | None) -> Any:
+    return _glcontext("native")
+
+
+BACKENDS: dict[str, Callable[[int | None], Any]] = {"egl": _egl, "osmesa": _osmesa, "x11": _x11, "native": _native}
+
+
+def order(backend: str = "auto") -> list[tuple[str, int | None]]:
+    """The ways to try, in order: ``backend`` if it names one ("egl", "egl:1", ...), else GLSIM_BACKEND, else the platform's.
+
+    The number after a colon is the EGL device index; without one GLCONTEXT_DEVICE_INDEX is honoured.
+    """
+    wanted = backend if backend != "auto" else os.environ.get("GLSIM_BACKEND", "auto")
+    if wanted == "auto":
+        names = ["egl", "osmesa", "x11"] if platform.system() == "Linux" else ["native"]
+        return [(name, None) for name in names]
+    name, _, index = wanted.partition(":")
+    if name not in BACKENDS or index and not index.isdigit():
+        raise ValueError(f"backend must be auto, {', '.join(BACKENDS)} or egl:N, not {wanted!r}")
+    return [(name, int(index) if index else None)]
+
+
+def open_loader(backend: str = "auto") -> tuple[str, Any]:
+    """The first way that opens: (name, loader).  Raises NoDeviceError that tells about every attempt."""
+    attempts = []
+    for name, device in order(backend):
+        try:
+            return name, BACKENDS[name](device)
+        except Exception as error:  # whatever a driver says is told to the user
+            attempts.append(Attempt(name, one_line(error), FIXES[name]))
+    raise NoDeviceError(attempts)
+
+
+def one_line(error: BaseException) -> str:
+    return " ".join(str(error).split()) or type(error).__name__

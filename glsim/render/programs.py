@@ -1,0 +1,204 @@
+"""State -> key -> GLSL -> program.
+
+The sources in shaders/ are ordinary GLSL with ordinary ifs.  The part of the state that chooses code, never a value,
+is the key; it is printed in front of the source as constants, and the compiler folds away what cannot happen.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import TYPE_CHECKING, NamedTuple
+
+from glsim.files import data_folder
+from glsim.machine.constants import (
+    GL_AMBIENT,
+    GL_AMBIENT_AND_DIFFUSE,
+    GL_BACK,
+    GL_DIFFUSE,
+    GL_EMISSION,
+    GL_FLAT,
+    GL_FLIP_NORMAL_GLSIM,
+    GL_FRONT,
+    GL_PHONG_LOBE_GLSIM,
+    GL_PHONG_WIN,
+    GL_SEPARATE_SPECULAR_COLOR,
+    GL_SPECULAR,
+)
+from glsim.machine.state import Light, Lighting, Snapshot
+
+if TYPE_CHECKING:
+    import moderngl
+
+NOTHING_TRACKED = (False, False, False, False)
+TRACKED = {  # glColorMaterial's mode -> ambient, diffuse, specular, emission
+    GL_AMBIENT: (True, False, False, False),
+    GL_DIFFUSE: (False, True, False, False),
+    GL_AMBIENT_AND_DIFFUSE: (True, True, False, False),
+    GL_SPECULAR: (False, False, True, False),
+    GL_EMISSION: (False, False, False, True),
+}
+
+
+class LightKind(NamedTuple):
+    """What must be computed for one enabled light."""
+
+    number: int
+    positional: bool
+    attenuated: bool
+    spot: bool
+
+
+class ProgramKey(NamedTuple):
+    """Everything that chooses code.  Fields that do not matter under the present state keep their defaults."""
+
+    flat: bool = False
+    per_fragment: bool = False
+    lighting: bool = False
+    lights: tuple[LightKind, ...] = ()
+    lobe_is_phong: bool = False
+    flip_normal: bool = False
+    local_viewer: bool = False
+    two_side: bool = False
+    separate_specular: bool = False
+    normalize: bool = False
+    rescale_normal: bool = False
+    front_tracks: tuple[bool, ...] = NOTHING_TRACKED
+    back_tracks: tuple[bool, ...] = NOTHING_TRACKED
+    has_w: bool = False
+    objects: int = 1  # rows of transforms and materials that one draw can use
+
+
+def program_key(state: Snapshot, has_w: bool = False, objects: int = 1) -> ProgramKey:
+    """The key of a state; two states with the same key are drawn by the same program."""
+    lighting = state.lighting
+    flat = lighting.shade_model == GL_FLAT
+    if not lighting.enabled:
+        return ProgramKey(flat=flat, has_w=has_w, objects=objects)
+    tracked = TRACKED[lighting.color_material_mode] if lighting.color_material else NOTHING_TRACKED  # type: ignore[index]
+    front = tracked if lighting.color_material_face != GL_BACK else NOTHING_TRACKED
+    back = tracked if lighting.color_material_face != GL_FRONT and lighting.two_side else NOTHING_TRACKED
+    kinds = light_kinds(lighting)
+    return ProgramKey(
+        flat=flat,
+        per_fragment=lighting.shade_model == GL_PHONG_WIN,
+        lighting=True,
+        lights=kinds,
+        lobe_is_phong=bool(kinds) and lighting.lobe == GL_PHONG_LOBE_GLSIM,
+        flip_normal=bool(kinds) and lighting.back_lighting == GL_FLIP_NORMAL_GLSIM,
+        local_viewer=bool(kinds) and lighting.local_viewer,
+        two_side=lighting.two_side,
+        separate_specular=bool(kinds) and lighting.color_control == GL_SEPARATE_SPECULAR_COLOR,
+        normalize=bool(kinds) and state.transform.normalize,
+        rescale_normal=bool(kinds) and state.transform.rescale_normal and not state.transform.normalize,
+        front_tracks=front,
+        back_tracks=back,
+        has_w=has_w,
+        objects=objects,
+    )
+
+
+@lru_cache(maxsize=64)
+def light_kinds(lighting: Lighting) -> tuple[LightKind, ...]:
+    def kind(number: int, light: Light) -> LightKind:
+        positional = light.position[3] != 0.0
+        factors = (light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation)
+        return LightKind(number, positional, positional and factors != (1.0, 0.0, 0.0), light.spot_cutoff != 180.0)
+
+    return tuple(kind(k, light) for k, light in enumerate(lighting.lights) if lighting.light_enabled[k])
+
+
+def _glsl(value: bool | int) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def constants(key: ProgramKey) -> str:
+    """The key as GLSL: what stands in front of the sources."""
+    lines = [f"#define SHADED {'flat' if key.flat else 'smooth'}", f"const int OBJECTS = {key.objects};"]
+    lines.append(f"const bool MANY_OBJECTS = {_glsl(key.objects > 1)};")
+    for name in (
+        "has_w", "lighting", "per_fragment", "lobe_is_phong", "flip_normal", "local_viewer", "two_side",
+        "separate_specular", "normalize", "rescale_normal",
+    ):  # fmt: skip
+        lines.append(f"const bool {name.upper()} = {_glsl(getattr(key, name))};")
+    for name in ("front_tracks", "back_tracks"):
+        values = ", ".join(map(_glsl, getattr(key, name)))
+        lines.append(f"const bool[4] {name.upper()} = bool[4]({values});")
+    lines.append(f"const int LIGHTS = {len(key.lights)};")
+    kinds = key.lights or (LightKind(0, False, False, False),)  # an array cannot be empty
+    for name, kind, values in (
+        ("LIGHT_NUMBER", "int", [k.number for k in kinds]),
+        ("LIGHT_IS_POSITIONAL", "bool", [k.positional for k in kinds]),
+        ("LIGHT_IS_ATTENUATED", "bool", [k.attenuated for k in kinds]),
+        ("LIGHT_IS_SPOT", "bool", [k.spot for k in kinds]),
+    ):
+        size = f"{kind}[{len(kinds)}]"
+        lines.append(f"const {size} {name} = {size}({', '.join(map(_glsl, values))});")
+    return "\n".join(lines) + "\n"
+
+
+INCLUDE = re.compile(r'^#include "([\w.]+)"$')
+
+
+@lru_cache(maxsize=16)
+def expand(name: str) -> tuple[str, tuple[str, ...]]:
+    """The text of shaders/NAME with its includes, each file once, and the file names that #line numbers stand for."""
+    files: list[str] = []
+
+    def read(name: str) -> list[str]:
+        number = len(files) + 1  # 0 is the printed constants
+        files.append(name)
+        lines = [f"#line 1 {number}"]
+        path = data_folder("shaders") / name
+        for position, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            found = INCLUDE.match(line)
+            if not found:
+                lines.append(line)
+            elif found[1] not in files:
+                lines += [*read(found[1]), f"#line {position + 1} {number}"]
+            else:
+                lines.append("")
+        return lines
+
+    return "\n".join(read(name)) + "\n", ("constants", *files)
+
+
+def sources(key: ProgramKey) -> dict[str, str]:
+    """The exact GLSL of a key: {"vertex": ..., "fragment": ...}."""
+    front = "#version 330 core\n" + constants(key)
+    return {"vertex": front + expand("main.vert")[0], "fragment": front + expand("main.frag")[0]}
+
+
+BINDINGS = {"Transforms": 0, "Materials": 1, "Lights": 2}
+
+
+def build(ctx: moderngl.Context, key: ProgramKey) -> moderngl.Program:
+    """Compile and link.  Raises ShaderError that names the file in shaders/ and the line."""
+    import moderngl
+
+    text = sources(key)
+    try:
+        program = ctx.program(vertex_shader=text["vertex"], fragment_shader=text["fragment"])
+    except moderngl.Error as error:
+        raise ShaderError(_with_file_names(str(error))) from None
+    for name, binding in BINDINGS.items():
+        block = program.get(name, None)
+        if block is not None:
+            block.binding = binding  # type: ignore[union-attr]
+    return program
+
+
+class ShaderError(Exception):
+    """A GLSL source in shaders/ does not compile."""
+
+
+def _with_file_names(message: str) -> str:
+    """'2:7(5): error' or '2(7) : error' -> 'state.glsl:7: error': #line's file numbers become names again."""
+    name = "main.frag" if "fragment_shader" in message or "fragment shader" in message.lower() else "main.vert"
+    files = expand(name)[1]
+
+    def replace(found: re.Match[str]) -> str:
+        number = int(found[1])
+        return f"{files[number]}:{found[2]}:" if number < len(files) else found[0]
+
+    return re.sub(r"^(\d+)[:(](\d+)(?:\(\d+\)|\))?\s*:", replace, message, flags=re.MULTILINE)

@@ -1,0 +1,10 @@
+// glColorMaterial: properties that follow the current colour.  TRACKS: ambient, diffuse, specular, emission.
+
+Face track(Face face, vec4 color, bool[4] TRACKS)
+{
+    if (TRACKS[0]) face.k_a = color;
+    if (TRACKS[1]) face.k_d = color;
+    if (TRACKS[2]) face.k_s = color;
+    if (TRACKS[3]) face.emission = color;
+    return face;
+}
