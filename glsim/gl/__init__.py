@@ -24,7 +24,9 @@ from glsim.gl import arrays, fragment, immediate, light, matrix, query, vertex
 from glsim.gl.dispatch import SUFFIX_FREE, missing, suffix_free, variant
 from glsim.machine import constants
 from glsim.machine.commands import COMMANDS
-from glsim.machine.errors import GLError, NoContextError as NoContextError
+from glsim.machine.errors import GLError
+from glsim.machine.errors import NoContextError as NoContextError
+from glsim.machine.record import implementations
 
 error = GLError  # PyOpenGL's other name for it
 
@@ -62,3 +64,4 @@ globals().update(_functions())
 
 __all__ = [name for name in globals() if name.startswith("GL") or name.startswith("gl") and name[2:3].isupper()]
 __all__ += ["error"]
+implementations.update({name: globals()[name] for name in COMMANDS})

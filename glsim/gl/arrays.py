@@ -205,7 +205,7 @@ def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], NDA
     rows = np.empty((count, ROW), np.float32)
     positions = elements(vertex.pointer, first, count)
     size = vertex.pointer.size
-    rows[:, :size] = positions[:, :3]
+    rows[:, : min(size, 3)] = positions[:, :3]
     if size == 2:
         rows[:, 2] = 0.0
     w = positions[:, 3].astype(np.float32) if size == 4 else None

@@ -80,9 +80,8 @@ class Offscreen:
         """Give the context's memory back now; it cannot be used afterwards."""
         if current_machine() is self.machine:
             make_current(None)
-        with self.ctx:
-            self.ctx.release()
-        self._loader.release()
+        self.ctx.__enter__()
+        self.ctx.release()  # releases the loader too
 
     # ------------------------------------------------------------ what the machine asks of its device
 

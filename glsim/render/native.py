@@ -1,0 +1,231 @@
+"""The oracle: replay recorded calls on the platform's REAL fixed function.
+
+A compatibility context is opened through EGL (surfaceless, or on a device) or OSMesa with ctypes; the command table
+says how each call's arguments are passed.  No PyOpenGL is involved.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.machine.commands import COMMANDS, Command
+from glsim.machine.constants import (
+    GL_BYTE,
+    GL_DOUBLE,
+    GL_FLOAT,
+    GL_INT,
+    GL_SHORT,
+    GL_UNSIGNED_BYTE,
+    GL_UNSIGNED_INT,
+    GL_UNSIGNED_SHORT,
+)
+from glsim.machine.frame import Call
+from glsim.render.device import one_line
+from glsim.render.osmesa import OSMesaLoader
+
+C_TYPES: dict[str, Any] = {
+    "b": ctypes.c_int8, "s": ctypes.c_int16, "i": ctypes.c_int32, "f": ctypes.c_float, "d": ctypes.c_double,
+    "ub": ctypes.c_uint8, "us": ctypes.c_uint16, "ui": ctypes.c_uint32, "enum": ctypes.c_uint32,
+    "bitfield": ctypes.c_uint32, "boolean": ctypes.c_uint8, "sizei": ctypes.c_int32, "data": ctypes.c_void_p,
+}  # fmt: skip
+DTYPES: dict[Any, Any] = {
+    "b": np.int8, "s": np.int16, "i": np.int32, "f": np.float32, "d": np.float64, "ub": np.uint8, "us": np.uint16,
+    "ui": np.uint32,
+    GL_BYTE: np.int8, GL_UNSIGNED_BYTE: np.uint8, GL_SHORT: np.int16, GL_UNSIGNED_SHORT: np.uint16, GL_INT: np.int32,
+    GL_UNSIGNED_INT: np.uint32, GL_FLOAT: np.float32, GL_DOUBLE: np.float64,
+}  # fmt: skip
+
+
+class NoNativeError(RuntimeError):
+    """This platform has no fixed function that can be reached without a window."""
+
+
+class _EGL:
+    """A compatibility context on a pbuffer, made with libEGL through ctypes."""
+
+    SURFACELESS, DEVICE = 0x31DD, 0x313F
+    CONFIG = (0x3033, 0x0001, 0x3040, 0x0008, 0x3024, 8, 0x3023, 8, 0x3022, 8, 0x3021, 8, 0x3025, 24, 0x3026, 8, 0x3038)
+
+    def __init__(self, width: int, height: int) -> None:
+        self.egl = ctypes.CDLL("libEGL.so.1")
+        for name in ("eglGetProcAddress", "eglGetDisplay", "eglCreatePbufferSurface", "eglCreateContext"):
+            getattr(self.egl, name).restype = ctypes.c_void_p
+        self.egl.eglGetProcAddress.argtypes = [ctypes.c_char_p]
+        self.display = ctypes.c_void_p(self._open_display())
+        config, count = ctypes.c_void_p(), ctypes.c_int()
+        wanted = (ctypes.c_int * len(self.CONFIG))(*self.CONFIG)
+        self.egl.eglBindAPI(0x30A2)  # EGL_OPENGL_API
+        self.egl.eglChooseConfig(self.display, wanted, ctypes.byref(config), 1, ctypes.byref(count))
+        if not count.value:
+            raise NoNativeError("EGL has no configuration with desktop OpenGL and a pbuffer")
+        size = (ctypes.c_int * 5)(0x3057, width, 0x3056, height, 0x3038)
+        self.surface = ctypes.c_void_p(self.egl.eglCreatePbufferSurface(self.display, config, size))
+        nothing = (ctypes.c_int * 1)(0x3038)
+        self.context = ctypes.c_void_p(self.egl.eglCreateContext(self.display, config, None, nothing))
+        if not self.surface or not self.context:
+            raise NoNativeError("EGL made no compatibility context")
+        self.make_current()
+
+    def _open_display(self) -> int:
+        get = self.egl.eglGetProcAddress(b"eglGetPlatformDisplayEXT")
+        platform = ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_uint, ctypes.c_void_p, ctypes.c_void_p)(get) if get else None
+        candidates = [platform(self.SURFACELESS, None, None)] if platform else []
+        query = self.egl.eglGetProcAddress(b"eglQueryDevicesEXT")
+        if platform and query:
+            devices, count = (ctypes.c_void_p * 16)(), ctypes.c_int()
+            kind = ctypes.CFUNCTYPE(ctypes.c_uint, ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)
+            kind(query)(16, devices, ctypes.byref(count))
+            candidates += [platform(self.DEVICE, device, None) for device in devices[: count.value]]
+        for display in candidates:
+            if display and self.egl.eglInitialize(ctypes.c_void_p(display), None, None):
+                return int(display)
+        raise NoNativeError("EGL has no surfaceless display")
+
+    def make_current(self) -> None:
+        self.egl.eglBindAPI(0x30A2)
+        if not self.egl.eglMakeCurrent(self.display, self.surface, self.surface, self.context):
+            raise NoNativeError("eglMakeCurrent failed")
+
+    def load(self, name: str) -> int:
+        return self.egl.eglGetProcAddress(name.encode()) or 0
+
+    def release_current(self) -> None:
+        self.egl.eglMakeCurrent(self.display, None, None, None)
+
+    def release(self) -> None:
+        self.release_current()
+        self.egl.eglDestroySurface(self.display, self.surface)
+        self.egl.eglDestroyContext(self.display, self.context)
+
+
+def _osmesa(width: int, height: int) -> Any:
+    loader = OSMesaLoader(core=False, width=width, height=height)
+    loader.release_current = lambda: loader.library.OSMesaMakeCurrent(None, None, 0, 0, 0)  # type: ignore[attr-defined]
+    return loader
+
+
+class Native:
+    """A context with the driver's fixed function, of a given size.  Raises NoNativeError if there is none."""
+
+    def __init__(self, width: int, height: int) -> None:
+        self.width, self.height = width, height
+        said = []
+        for name, make in (("egl", _EGL), ("osmesa", _osmesa)):
+            try:
+                self.loader: Any = make(width, height)
+            except Exception as error:
+                said.append(f"{name}: {one_line(error)}")
+                continue
+            self.backend = name
+            self.functions: dict[str, Any] = {}
+            self.version = self._string(0x1F02)
+            self.renderer = self._string(0x1F01)
+            if self._is_compatibility():
+                self.loader.release_current()
+                return
+            said.append(f"{name}: {self.version} has no fixed function")
+            self.loader.release()
+        raise NoNativeError("no native fixed function: " + "; ".join(said))
+
+    def _string(self, name: int) -> str:
+        address = self.loader.load("glGetString")
+        text = ctypes.CFUNCTYPE(ctypes.c_char_p, ctypes.c_uint)(address)(name)
+        return (text or b"").decode()
+
+    def _is_compatibility(self) -> bool:
+        self._call("glShadeModel", (0x1D01,))
+        return self.error() == 0
+
+    def error(self) -> int:
+        return int(ctypes.CFUNCTYPE(ctypes.c_uint)(self.loader.load("glGetError"))())
+
+    def replay(self, calls: Iterable[Call], errors: list[tuple[str, int]] | None = None) -> NDArray[np.uint8]:
+        """Run the calls from the initial state; the picture, top row first, (height, width, 4) uint8.
+
+        Queries are left out.  Errors are appended to ``errors`` as (command, code).
+        """
+        self.loader.make_current()
+        try:
+            self._reset()
+            kept: list[Any] = []  # arrays that pointers lead to
+            inside = False
+            for name, arguments in calls:
+                command = COMMANDS[name]
+                if command.result:
+                    continue
+                self._call(name, pass_on(command, arguments, kept))
+                inside = name == "glBegin" or inside and name != "glEnd"
+                code = 0 if inside else self.error()
+                if code and errors is not None:
+                    errors.append((name, code))
+            return self._pixels()
+        finally:
+            self.loader.release_current()
+
+    def release(self) -> None:
+        self.loader.release()
+
+    def _reset(self) -> None:
+        """A context starts in the initial state; what earlier replays changed is put back."""
+        while self.error():
+            pass
+        if not hasattr(self, "_pushed"):
+            self._pushed = True
+        else:
+            self._call("glPopAttrib", ())
+            self._call("glPopClientAttrib", ())
+            for mode in (0x1702, 0x1701, 0x1700):  # GL_TEXTURE, GL_PROJECTION, GL_MODELVIEW
+                self._call("glMatrixMode", (mode,))
+                while not self.error():
+                    self._call("glPopMatrix", ())
+                self._call("glLoadIdentity", ())
+        self._call("glPushAttrib", (0xFFFFFFFF,))
+        self._call("glPushClientAttrib", (0xFFFFFFFF,))
+        self._call("glClear", (0x4500,))
+        while self.error():
+            pass
+
+    def _pixels(self) -> NDArray[np.uint8]:
+        picture = np.zeros((self.height, self.width, 4), np.uint8)
+        self._call("glFinish", ())
+        self._call("glPixelStorei", (0x0D05, 1))
+        read = ctypes.CFUNCTYPE(None, *[ctypes.c_int] * 4, ctypes.c_uint, ctypes.c_uint, ctypes.c_void_p)
+        read(self.loader.load("glReadPixels"))(0, 0, self.width, self.height, 0x1908, 0x1401, picture.ctypes.data)
+        return picture[::-1]
+
+    def _call(self, name: str, arguments: tuple[Any, ...]) -> None:
+        function = self.functions.get(name)
+        if function is None:
+            address = self.loader.load(name)
+            if not address:
+                raise NoNativeError(f"the driver has no {name}")
+            kinds = [C_TYPES[kind] for _, kind in COMMANDS[name].arguments]
+            function = self.functions[name] = ctypes.CFUNCTYPE(None, *kinds)(address)
+        function(*arguments)
+
+
+def pass_on(command: Command, arguments: tuple[Any, ...], kept: list[Any]) -> tuple[Any, ...]:
+    """Python arguments of a recorded call -> what ctypes passes to the C function."""
+    passed = []
+    element = command.type
+    names = dict(zip(command.parameters, arguments, strict=False))
+    for (_, kind), value in zip(command.arguments, arguments, strict=False):
+        if kind == "data":
+            dtype = DTYPES.get(element or names.get("type"), np.float32)
+            raw = isinstance(value, (bytes, bytearray))
+            array = np.frombuffer(value, np.uint8) if raw else np.ascontiguousarray(value, dtype)
+            kept.append(array)
+            passed.append(array.ctypes.data)
+        elif kind in ("f", "d"):
+            passed.append(float(value))
+        elif kind == "boolean":
+            passed.append(bool(value))
+        else:
+            passed.append(int(value))
+    return tuple(passed)
+

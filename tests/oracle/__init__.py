@@ -1,0 +1,1 @@
+"""Programs that are drawn by glsim and by the driver's own fixed function, and compared."""

@@ -1,0 +1,42 @@
+"""glsim draws what the driver's own fixed function draws."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+import glsim
+from glsim.render.native import Native
+from glsim.study.capture import capture
+from tests.oracle.measure import Difference, measure
+from tests.oracle.programs import PROGRAMS
+
+# A concave or self-crossing polygon has no defined triangulation, so nothing is asserted about where it is split.
+
+
+def both(screen: glsim.Offscreen, native: Native, draw: Callable[[], None]) -> Difference:
+    with capture(calls=True) as frame:
+        draw()
+    errors: list[tuple[str, int]] = []
+    reference = native.replay(frame.calls, errors)
+    assert not errors
+    assert reference.any(), "the program draws nothing"
+    return measure(screen.pixels(), reference)
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_program(name: str, screen: glsim.Offscreen, native: Native) -> None:
+    found = both(screen, native, PROGRAMS[name])
+    assert found.coverage == 0, f"{found.coverage} pixels are covered by one only"
+    assert found.within_1 >= 0.999, found
+    assert found.worst <= 3, found
+
+
+def test_the_comparison_can_fail(screen: glsim.Offscreen, native: Native) -> None:
+    with capture(calls=True) as frame:
+        PROGRAMS["light_default"]()
+    other = [call._replace(arguments=(call.arguments[0], 0.1, *call.arguments[2:])) if call.name == "glVertex3f" else call for call in frame.calls]
+    assert measure(screen.pixels(), native.replay(other)).coverage > 0
+    assert np.any(screen.pixels())
