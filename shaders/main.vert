@@ -11,6 +11,7 @@ in vec3 position;
 in float position_w;    // only if HAS_W; else 1
 in vec3 normal;
 in vec4 color;
+uniform vec2 point_shift;   // only if POINTS: 1/256 of a pixel, in normalized device coordinates
 in uint object;         // only if MANY_OBJECTS: the row of transforms and materials that this vertex uses
 
 SHADED out vec4 front_color;        // SHADED is flat or smooth: glShadeModel
@@ -29,6 +30,7 @@ void main()
     Transform transform = transforms[object_row];
     vec4 P = vec4(position, HAS_W ? position_w : 1.0);
     gl_Position = transform.modelview_projection * P;
+    if (POINTS) gl_Position.xy += point_shift * gl_Position.w;  // between two pixels: up and to the right
 
     front_color = back_color = vertex_color = clamp(color, 0.0, 1.0);
     front_highlight = back_highlight = vec3(0.0);

@@ -87,22 +87,22 @@ def glDisable(m: Machine, cap: int) -> None:
 
 def _set(m: Machine, cap: int, value: bool) -> None:
     place = CAPS.get(cap)
-    if place is None:
-        number = cap - GL_LIGHT0
-        if 0 <= number < MAX_LIGHTS:
-            enabled = m.lighting.light_enabled
-            m.lighting = m.lighting._replace(light_enabled=(*enabled[:number], value, *enabled[number + 1 :]))
+    if place is not None:
+        group, field = place
+        if getattr(getattr(m, group), field) == value:
             return
-        if cap in LATER_CAPS:
-            if value:
-                raise NotImplementedError(f"glEnable({LATER_CAPS[cap]!r}) is not in glsim yet")
-            return  # it is off anyway
+        if cap == GL_COLOR_MATERIAL:
+            set_color_material(m, value)
+        else:
+            setattr(m, group, getattr(m, group)._replace(**{field: value}))
+    elif 0 <= cap - GL_LIGHT0 < MAX_LIGHTS:
+        enabled = list(m.lighting.light_enabled)
+        enabled[cap - GL_LIGHT0] = value
+        m.lighting = m.lighting._replace(light_enabled=tuple(enabled))
+    elif cap not in LATER_CAPS:
         raise invalid_enum("cap", cap, "something that can be enabled, such as GL_LIGHTING or GL_DEPTH_TEST")
-    if cap == GL_COLOR_MATERIAL:
-        set_color_material(m, value)
-        return
-    group, field = place
-    setattr(m, group, getattr(m, group)._replace(**{field: value}))
+    elif value:
+        raise NotImplementedError(f"glEnable({LATER_CAPS[cap]!r}) is not in glsim yet")
 
 
 def glIsEnabled(m: Machine, cap: int) -> bool:

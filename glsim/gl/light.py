@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -43,33 +44,27 @@ from glsim.machine.constants import (
     GL_SPOT_EXPONENT,
 )
 from glsim.machine.errors import invalid_enum, invalid_value
+from glsim.machine.frame import ROW_BYTES
 from glsim.machine.machine import Machine
 from glsim.machine.matrix import transform, transform_direction
 from glsim.machine.state import MAX_LIGHTS, Color, Face, Light, Material
 
 FACES = "GL_FRONT, GL_BACK or GL_FRONT_AND_BACK"
-LIGHT_COLORS = {GL_AMBIENT: "ambient", GL_DIFFUSE: "diffuse", GL_SPECULAR: "specular"}
-ATTENUATIONS = {
+LIGHT_COLORS: dict[int, str] = {GL_AMBIENT: "ambient", GL_DIFFUSE: "diffuse", GL_SPECULAR: "specular"}
+MATERIAL_COLORS: dict[int, str] = {**LIGHT_COLORS, GL_EMISSION: "emission"}
+ATTENUATIONS: dict[int, str] = {
     GL_CONSTANT_ATTENUATION: "constant_attenuation",
     GL_LINEAR_ATTENUATION: "linear_attenuation",
     GL_QUADRATIC_ATTENUATION: "quadratic_attenuation",
 }
-# Fields of state.Face that a pname of glMaterial sets.
-FIELDS = {
-    GL_AMBIENT: (0,),
-    GL_DIFFUSE: (1,),
-    GL_AMBIENT_AND_DIFFUSE: (0, 1),
-    GL_SPECULAR: (2,),
-    GL_EMISSION: (3,),
-}
-
-
 def _color(params: Any) -> Color:
     """Four numbers; a missing alpha is 1."""
     values = numbers(params)
+    if len(values) == 4:
+        return values  # type: ignore[return-value]
     if len(values) < 3:
         raise ValueError(f"a colour needs four numbers (red, green, blue, alpha), not {len(values)}")
-    return values[:4] if len(values) >= 4 else (*values, 1.0)  # type: ignore[return-value]
+    return (*values, 1.0)[:4]  # type: ignore[return-value]
 
 
 def glShadeModel(m: Machine, mode: int) -> None:
@@ -80,37 +75,47 @@ def glShadeModel(m: Machine, mode: int) -> None:
 
 
 def glMaterial(m: Machine, face: int, pname: int, params: Any) -> None:
-    material = m.material
-    sides = _SIDES.get(face)
-    if sides is None:
-        raise invalid_enum("face", face, FACES)
-    fields = FIELDS.get(pname)
-    if fields is not None:
-        value = _color(params)
-        faces = [_with(old, fields, value) if use else old for old, use in zip(material, sides, strict=True)]
-    elif pname == GL_SHININESS:
-        (n,) = exactly(params, 1, "GL_SHININESS")
-        if not 0.0 <= n <= 128.0:
-            raise invalid_value("GL_SHININESS", n, "in [0, 128]")
-        faces = [old._replace(shininess=n) if use else old for old, use in zip(material, sides, strict=True)]
-    elif pname == GL_COLOR_INDEXES:
-        raise NotImplementedError("glMaterial(GL_COLOR_INDEXES): colour-index mode is not emulated; use RGBA colours")
-    else:
+    change = CHANGES.get(pname)
+    if change is None:
+        if pname == GL_COLOR_INDEXES:
+            raise NotImplementedError("glMaterial(GL_COLOR_INDEXES): colour-index mode is not emulated; use RGBA colours")
         expected = "GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION or GL_SHININESS"
         raise invalid_enum("pname", pname, expected)
-    m.material = Material._make(faces)
+    value = _shininess(params) if pname == GL_SHININESS else _color(params)
+    front, back = m.material
+    if face == GL_FRONT_AND_BACK:
+        front, back = change(front, value), change(back, value)
+    elif face == GL_FRONT:
+        front = change(front, value)
+    elif face == GL_BACK:
+        back = change(back, value)
+    else:
+        raise invalid_enum("face", face, FACES)
+    m.material = _material(Material, (front, back))
     if m.inside is not None:
-        m.materials.append((m.stream.tell() // 40, m.material))
+        m.materials.append((m.stream.tell() // ROW_BYTES, m.material))
 
 
-_SIDES = {GL_FRONT: (True, False), GL_BACK: (False, True), GL_FRONT_AND_BACK: (True, True)}
+# tuple.__new__ makes a named tuple twice as fast as its own constructor; glMaterial is called once an object.
+_face: Callable[..., Face] = tuple.__new__
+_material: Callable[..., Material] = tuple.__new__
+
+# pname of glMaterial -> the face with one property changed.  Fields: ambient, diffuse, specular, emission, shininess.
+CHANGES: dict[int, Callable[[Face, Any], Face]] = {
+    GL_AMBIENT: lambda f, value: _face(Face, (value, f[1], f[2], f[3], f[4])),
+    GL_DIFFUSE: lambda f, value: _face(Face, (f[0], value, f[2], f[3], f[4])),
+    GL_AMBIENT_AND_DIFFUSE: lambda f, value: _face(Face, (value, value, f[2], f[3], f[4])),
+    GL_SPECULAR: lambda f, value: _face(Face, (f[0], f[1], value, f[3], f[4])),
+    GL_EMISSION: lambda f, value: _face(Face, (f[0], f[1], f[2], value, f[4])),
+    GL_SHININESS: lambda f, value: _face(Face, (f[0], f[1], f[2], f[3], value)),
+}
 
 
-def _with(face: Face, fields: tuple[int, ...], value: Color) -> Face:
-    changed: list[Any] = list(face)
-    for field in fields:
-        changed[field] = value
-    return Face._make(changed)
+def _shininess(params: Any) -> float:
+    (n,) = exactly(params, 1, "GL_SHININESS")
+    if not 0.0 <= n <= 128.0:
+        raise invalid_value("GL_SHININESS", n, "in [0, 128]")
+    return n
 
 
 def current_material(m: Machine) -> Material:
@@ -119,15 +124,18 @@ def current_material(m: Machine) -> Material:
     if not lighting.color_material:
         return m.material
     color = (m.red, m.green, m.blue, m.alpha)
-    fields = FIELDS[lighting.color_material_mode]  # type: ignore[index]
-    sides = _SIDES[lighting.color_material_face]  # type: ignore[index]
-    return Material._make(_with(old, fields, color) if use else old for old, use in zip(m.material, sides, strict=True))
+    change = CHANGES[lighting.color_material_mode]
+    front, back = m.material
+    return Material(
+        front if lighting.color_material_face == GL_BACK else change(front, color),
+        back if lighting.color_material_face == GL_FRONT else change(back, color),
+    )
 
 
 def glColorMaterial(m: Machine, face: int, mode: int) -> None:
-    if face not in _SIDES:
+    if face not in (GL_FRONT, GL_BACK, GL_FRONT_AND_BACK):
         raise invalid_enum("face", face, FACES)
-    if mode not in FIELDS:
+    if mode not in CHANGES or mode == GL_SHININESS:
         raise invalid_enum("mode", mode, "GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR or GL_EMISSION")
     m.material = current_material(m)  # what was tracked until now stays
     m.lighting = m.lighting._replace(color_material_face=face, color_material_mode=mode)
@@ -151,7 +159,7 @@ def glLight(m: Machine, light: int, pname: int, params: Any) -> None:
     number = _light_number(light)
     old = m.lighting.lights[number]
     if pname in LIGHT_COLORS:
-        new = old._replace(**{LIGHT_COLORS[pname]: _color(params)})  # type: ignore[index, arg-type]
+        new = old._replace(**{LIGHT_COLORS[pname]: _color(params)})  # type: ignore[arg-type]
     elif pname == GL_POSITION:
         values = numbers(params)
         if len(values) < 3:
@@ -184,7 +192,7 @@ def _light_number_parameter(old: Light, pname: int, params: Any) -> Light:
         (value,) = exactly(params, 1, "an attenuation")
         if not value >= 0.0:
             raise invalid_value("the attenuation", value, "at least 0")
-        return old._replace(**{ATTENUATIONS[pname]: value})  # type: ignore[index, arg-type]
+        return old._replace(**{ATTENUATIONS[pname]: value})  # type: ignore[arg-type]
     raise invalid_enum("pname", pname, "a light parameter such as GL_POSITION, GL_DIFFUSE or GL_SPOT_CUTOFF")
 
 
@@ -218,7 +226,7 @@ _LIGHT_MODEL_CHOICES = {
 def glGetLight(m: Machine, light: int, pname: int) -> tuple[float, ...]:
     source = m.lighting.lights[_light_number(light)]
     if pname in LIGHT_COLORS:
-        return getattr(source, LIGHT_COLORS[pname])  # type: ignore[index, no-any-return]
+        return getattr(source, LIGHT_COLORS[pname])  # type: ignore[no-any-return]
     if pname == GL_POSITION:
         return source.position
     if pname == GL_SPOT_DIRECTION:
@@ -228,7 +236,7 @@ def glGetLight(m: Machine, light: int, pname: int) -> tuple[float, ...]:
     if pname == GL_SPOT_CUTOFF:
         return (source.spot_cutoff,)
     if pname in ATTENUATIONS:
-        return (getattr(source, ATTENUATIONS[pname]),)  # type: ignore[index]
+        return (getattr(source, ATTENUATIONS[pname]),)
     raise invalid_enum("pname", pname, "a light parameter such as GL_POSITION")
 
 
@@ -238,7 +246,6 @@ def glGetMaterial(m: Machine, face: int, pname: int) -> tuple[float, ...]:
     side = current_material(m)[0 if face == GL_FRONT else 1]
     if pname == GL_SHININESS:
         return (side.shininess,)
-    fields = FIELDS.get(pname)
-    if fields is None or len(fields) > 1:
+    if pname not in MATERIAL_COLORS:
         raise invalid_enum("pname", pname, "GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION or GL_SHININESS")
-    return side[fields[0]]  # type: ignore[no-any-return]
+    return getattr(side, MATERIAL_COLORS[pname])  # type: ignore[no-any-return]

@@ -93,6 +93,7 @@ class Offscreen:
     def finish(self) -> None:
         with self.ctx:
             self._raw.glFinish()
+        self._renderer.busy = False
 
     def read(self, x: int, y: int, width: int, height: int, what: str) -> NDArray[Any]:
         """Pixels of a rectangle, bottom row first: "color" (height, width, 4) uint8, "depth" (height, width) float32.
@@ -108,6 +109,7 @@ class Offscreen:
             pixels = np.zeros((height, width, 4), np.uint8) if color else np.zeros((height, width), np.float32)
             kind = (GL_RGBA, GL_UNSIGNED_BYTE) if color else (GL_DEPTH_COMPONENT, GL_FLOAT)
             self._raw.glReadPixels(x, y, width, height, *kind, pixels.ctypes.data)
+        self._renderer.busy = False
         return pixels
 
     def describe(self) -> dict[str, Any]:

@@ -38,6 +38,7 @@ class Renderer:
         self.uniforms = {name: ctx.buffer(reserve=1024, dynamic=True) for name in BINDINGS}
         self.uploaded_lights: Lighting | None = None
         self.fixed: Snapshot | None = None
+        self.busy = False  # whether the GPU may still read the buffers
 
     # ------------------------------------------------------------ packets
 
@@ -69,15 +70,21 @@ class Renderer:
             for batch in todo.batches:
                 if batch.count:
                     self._draw_batch(batch, many and batch.objects > 1)
+            self.busy = True
 
     def _draw_batch(self, batch: Batch, many: bool) -> None:
         self._apply(batch.state)
         self._upload_lights(batch.state.lighting)
-        key = program_key(batch.state, batch.vertices.w is not None, self.limit if many else 1)
+        key = program_key(batch.state)._replace(
+            has_w=batch.vertices.w is not None, points=batch.corners == 1, objects=self.limit if many else 1
+        )
         for name in ("Transforms", "Materials"):
             size = ROW_SIZE * key.objects
             self.uniforms[name].bind_to_uniform_block(BINDINGS[name], offset=ROW_SIZE * batch.base, size=size)
         self.uniforms["Lights"].bind_to_uniform_block(BINDINGS["Lights"], size=LIGHTS_SIZE)
+        if key.points:
+            width, height = batch.state.viewport[2:4]
+            self.program(key)["point_shift"] = 2.002 / 256 / max(width, 1), 1.998 / 256 / max(height, 1)
         self.vertex_array(key).render(PRIMITIVES[batch.corners], vertices=batch.count, first=batch.start)
 
     # ------------------------------------------------------------ programs and buffers
@@ -100,20 +107,32 @@ class Renderer:
             self.vertex_arrays[key] = self.ctx.vertex_array(program, content, index_buffer=self.buffers["indices"])
         return self.vertex_arrays[key]
 
+    def _write(self, buffer: moderngl.Buffer, data: NDArray[Any], room: int = 0) -> None:
+        """Replace a buffer's content, with ``room`` bytes at least.
+
+        While the GPU may still read the old content the buffer gets new memory, so that nobody waits.
+        """
+        data = np.ascontiguousarray(data)
+        size = max(room, data.nbytes)
+        if self.busy or buffer.size < size:
+            buffer.orphan(max(buffer.size, size))
+        if data.nbytes:
+            buffer.write(data)
+
     def _upload(self, todo: Plan) -> None:
-        _write(self.buffers["rows"], todo.vertices.rows)
-        _write(self.buffers["indices"], todo.indices)
+        self._write(self.buffers["rows"], todo.vertices.rows)
+        self._write(self.buffers["indices"], todo.indices)
         if todo.vertices.w is not None:
-            _write(self.buffers["w"], todo.vertices.w)
+            self._write(self.buffers["w"], todo.vertices.w)
         if len(todo.rows):
-            _write(self.buffers["object"], todo.rows)
+            self._write(self.buffers["object"], todo.rows)
         room = len(todo.objects) + self.limit  # a block always has `limit` rows, wherever it begins
-        _write(self.uniforms["Transforms"], transforms(todo.objects), room * ROW_SIZE)
-        _write(self.uniforms["Materials"], materials(todo.objects), room * ROW_SIZE)
+        self._write(self.uniforms["Transforms"], transforms(todo.objects), room * ROW_SIZE)
+        self._write(self.uniforms["Materials"], materials(todo.objects), room * ROW_SIZE)
 
     def _upload_lights(self, lighting: Lighting) -> None:
         if lighting is not self.uploaded_lights:
-            _write(self.uniforms["Lights"], lights(lighting))
+            self._write(self.uniforms["Lights"], lights(lighting))
             self.uploaded_lights = lighting
 
     # ------------------------------------------------------------ state that the core profile kept
@@ -151,14 +170,6 @@ def _kind(packet: Packet) -> type:
 
 def _vertices(draw: Draw) -> Vertices:
     return draw.vertices
-
-
-def _write(buffer: moderngl.Buffer, data: NDArray[Any], size: int = 0) -> None:
-    """Replace a buffer's content; its memory is new, so that nobody waits for draws that still read the old."""
-    data = np.ascontiguousarray(data)
-    buffer.orphan(max(size, data.nbytes, 16))
-    if data.nbytes:
-        buffer.write(data)
 
 
 # ---------------------------------------------------------------- rows of shaders/state.glsl

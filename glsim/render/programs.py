@@ -65,16 +65,20 @@ class ProgramKey(NamedTuple):
     rescale_normal: bool = False
     front_tracks: tuple[bool, ...] = NOTHING_TRACKED
     back_tracks: tuple[bool, ...] = NOTHING_TRACKED
-    has_w: bool = False
+    points: bool = False  # the primitives are points
+    has_w: bool = False  # some vertex has a w that is not 1
     objects: int = 1  # rows of transforms and materials that one draw can use
 
 
-def program_key(state: Snapshot, has_w: bool = False, objects: int = 1) -> ProgramKey:
-    """The key of a state; two states with the same key are drawn by the same program."""
+def program_key(state: Snapshot) -> ProgramKey:
+    """The key of a state; states with the same key are drawn by the same program.
+
+    ``points``, ``has_w`` and ``objects`` depend on what is drawn, not on the state.
+    """
     lighting = state.lighting
     flat = lighting.shade_model == GL_FLAT
     if not lighting.enabled:
-        return ProgramKey(flat=flat, has_w=has_w, objects=objects)
+        return ProgramKey(flat=flat)
     tracked = TRACKED[lighting.color_material_mode] if lighting.color_material else NOTHING_TRACKED  # type: ignore[index]
     front = tracked if lighting.color_material_face != GL_BACK else NOTHING_TRACKED
     back = tracked if lighting.color_material_face != GL_FRONT and lighting.two_side else NOTHING_TRACKED
@@ -93,8 +97,6 @@ def program_key(state: Snapshot, has_w: bool = False, objects: int = 1) -> Progr
         rescale_normal=bool(kinds) and state.transform.rescale_normal and not state.transform.normalize,
         front_tracks=front,
         back_tracks=back,
-        has_w=has_w,
-        objects=objects,
     )
 
 
@@ -117,7 +119,7 @@ def constants(key: ProgramKey) -> str:
     lines = [f"#define SHADED {'flat' if key.flat else 'smooth'}", f"const int OBJECTS = {key.objects};"]
     lines.append(f"const bool MANY_OBJECTS = {_glsl(key.objects > 1)};")
     for name in (
-        "has_w", "lighting", "per_fragment", "lobe_is_phong", "flip_normal", "local_viewer", "two_side",
+        "points", "has_w", "lighting", "per_fragment", "lobe_is_phong", "flip_normal", "local_viewer", "two_side",
         "separate_specular", "normalize", "rescale_normal",
     ):  # fmt: skip
         lines.append(f"const bool {name.upper()} = {_glsl(getattr(key, name))};")

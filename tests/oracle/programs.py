@@ -834,3 +834,62 @@ def mixed_primitives_in_order() -> None:
             glColor3fv(rng.uniform(0.2, 1, 3))
             glVertex2fv(rng.uniform(-0.9, 0.9, 2))
         glEnd()
+
+
+# ---------------------------------------------------------------- coordinates exactly on or between pixels
+
+
+def pixel_coordinates(shift: float) -> None:
+    """A coordinate system of pixels, as two-dimensional programs use it."""
+    glClear(GL_COLOR_BUFFER_BIT)
+    glOrtho(0, 128, 0, 128, -1, 1)
+    glTranslatef(shift, shift, 0)
+
+
+@program
+def points_between_pixels() -> None:
+    pixel_coordinates(0.0)
+    glBegin(GL_POINTS)
+    for k in range(40):
+        glVertex2i(3 * k + 2, k * 7 % 120 + 3)
+    glEnd()
+
+
+@program
+def points_on_pixels() -> None:
+    pixel_coordinates(0.5)
+    glBegin(GL_POINTS)
+    for k in range(40):
+        glVertex2i(3 * k + 2, k * 7 % 120 + 3)
+    glEnd()
+
+
+@program
+def lines_between_pixels() -> None:
+    pixel_coordinates(0.0)
+    for k in range(10):
+        glBegin(GL_LINE_LOOP)
+        for x, y in ((5, 5), (12, 5), (12, 100 - 5 * k), (5, 100 - 5 * k)):
+            glVertex2i(x + 10 * k, y)
+        glEnd()
+    glBegin(GL_LINES)
+    for k in range(20):
+        glVertex2i(4 * k + 2, k * 7 % 120 + 3)
+        glVertex2i(k * 37 % 120, 4 * k + 5)
+    glEnd()
+
+
+for _shift in (0.0, 0.5):
+
+    @partial(PROGRAMS.__setitem__, "areas_on_pixels" if _shift else "areas_between_pixels")
+    def _areas(shift: float = _shift) -> None:
+        pixel_coordinates(shift)
+        for k in range(10):
+            glRecti(2 + 12 * k, 3 + 10 * k, 9 + 12 * k, 9 + 10 * k)
+        glBegin(GL_TRIANGLES)
+        for k in range(40):
+            x, y = k % 8 * 15 + 3, k // 8 * 24 + 2
+            glVertex2i(x, y)
+            glVertex2i(x + k * 5 % 13 + 1, y + k * 3 % 7)
+            glVertex2i(x + k * 7 % 11, y + 8 + k % 12)
+        glEnd()
