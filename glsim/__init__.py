@@ -18,14 +18,24 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
+    from glsim.machine.frame import Frame as Frame
     from glsim.render.context import Offscreen as Offscreen
     from glsim.render.context import offscreen as offscreen
     from glsim.render.device import NoDeviceError as NoDeviceError
+    from glsim.study.capture import capture as capture
+    from glsim.study.capture import program_source as program_source
+    from glsim.study.compare import Comparison as Comparison
+    from glsim.study.compare import compare as compare
 
 _HOME = {
     "offscreen": "glsim.render.context",
     "Offscreen": "glsim.render.context",
     "NoDeviceError": "glsim.render.device",
+    "Frame": "glsim.machine.frame",
+    "capture": "glsim.study.capture",
+    "program_source": "glsim.study.capture",
+    "Comparison": "glsim.study.compare",
+    "compare": "glsim.study.compare",
 }
 __all__ = ["__version__", *_HOME]
 

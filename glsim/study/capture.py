@@ -32,3 +32,18 @@ def capture(calls: bool = False) -> Iterator[Frame]:
         machine.record(recorder)
         machine.flush()
         machine.capturing = before
+
+
+def program_source(stage: str | None = None) -> str:
+    """The exact GLSL that the present state maps to: the key as constants, then the sources of shaders/.
+
+    stage: "vertex" or "fragment"; None gives both, each under a comment line.  Raises ValueError for another stage.
+    """
+    from glsim.render.programs import program_key, sources
+
+    text = sources(program_key(current_machine().snapshot()))
+    if stage is None:
+        return "\n".join(f"// ---- {name} shader\n{source}" for name, source in text.items())
+    if stage not in text:
+        raise ValueError(f'program_source: stage must be "vertex" or "fragment", not {stage!r}')
+    return text[stage]

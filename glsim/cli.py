@@ -1,0 +1,191 @@
+"""The command ``glsim``: parses, calls, prints.
+
+Exit codes: 0 done; 1 it could not be done (the reason is printed); 2 the command line is wrong; 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from glsim.scenes import Camera, Lamp
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command; returns its exit code."""
+    options = _parser().parse_args(arguments)
+    try:
+        return int(options.run(options))
+    except KeyboardInterrupt:
+        print("glsim: interrupted", file=sys.stderr)
+        return 130
+    except (ValueError, OSError, RuntimeError, NotImplementedError) as error:
+        if options.json:
+            print(json.dumps({"status": "error", "error": str(error)}))
+        else:
+            print(f"glsim: {error}", file=sys.stderr)
+        return 1
+
+
+def _parser() -> argparse.ArgumentParser:
+    from glsim import __version__
+
+    parser = argparse.ArgumentParser(prog="glsim", description="OpenGL's fixed-function pipeline, to teach and to learn.")
+    parser.add_argument("--version", action="version", version=f"glsim {__version__}")
+    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+    _add_compare(commands)
+    doctor = commands.add_parser("doctor", help="say what this machine can draw with, and what to install")
+    doctor.add_argument("--json", action="store_true", help="print one JSON object")
+    doctor.set_defaults(run=_doctor)
+    return parser
+
+
+# ---------------------------------------------------------------- compare
+
+
+def _add_compare(commands: Any) -> None:
+    text = "draw a scene flat, Gouraud and Phong shaded, with either specular lobe, side by side"
+    p = commands.add_parser("compare", help=text, description=text[0].upper() + text[1:] + ".")
+    p.add_argument("scene", nargs="?", help="a built-in scene (see --list) or a mesh file: OBJ, PLY, STL, GLB, OFF, ...")
+    p.add_argument("-o", "--output", metavar="FILE", help="the sheet (default: compare.png)", default="compare.png")
+    p.add_argument("--modes", default="flat,gouraud,phong", metavar="A,B,...",
+                   help="columns: flat, gouraud, phong, wireframe, unlit, native (default: %(default)s)")  # fmt: skip
+    p.add_argument("--lobe", default="blinn,phong", metavar="A,B",
+                   help="rows: blinn (N.H)^n, phong (R.V)^n (default: %(default)s)")  # fmt: skip
+    p.add_argument("--size", type=_size, default=512, metavar="N", help="pixels of each picture (default: %(default)s)")
+    p.add_argument("--light", action="append", type=_light, metavar="X,Y,Z[,W[,BRIGHTNESS]]",
+                   help="a light in eye space, W = 0 (default) for a direction; may be repeated")  # fmt: skip
+    p.add_argument("--material", metavar="NAME", help="a named material such as brass (see --list)")
+    p.add_argument("--camera", type=_camera, metavar="AZIMUTH,ELEVATION[,DISTANCE]",
+                   help="degrees around and above the scene, and the distance in radii (default: the scene's)")  # fmt: skip
+    p.add_argument("--list", action="store_true", help="list the built-in scenes and materials")
+    p.add_argument("--json", action="store_true", help="print the differences as one JSON object")
+    p.set_defaults(run=_compare)
+
+
+def _numbers(text: str, least: int, most: int) -> list[float]:
+    try:
+        values = [float(word) for word in text.split(",")]
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"numbers separated by commas are needed, not {text!r}") from None
+    if not least <= len(values) <= most or not all(-1e6 < value < 1e6 for value in values):
+        raise argparse.ArgumentTypeError(f"{least} to {most} numbers are needed, not {text!r}")
+    return values
+
+
+def _size(text: str) -> int:
+    if not text.isdigit() or not 16 <= int(text) <= 4096:
+        raise argparse.ArgumentTypeError(f"a number of pixels from 16 to 4096 is needed, not {text!r}")
+    return int(text)
+
+
+def _light(text: str) -> Lamp:
+    from glsim.scenes import Lamp
+
+    x, y, z, *rest = _numbers(text, 3, 5)
+    w, brightness = [*rest, 0.0, 1.0][:2] if len(rest) != 1 else (rest[0], 1.0)
+    return Lamp((x, y, z, w), brightness)
+
+
+def _camera(text: str) -> Camera:
+    from glsim.scenes import Camera
+
+    values = _numbers(text, 2, 3)
+    if len(values) == 3 and values[2] <= 1.0:
+        raise argparse.ArgumentTypeError(f"the distance must be more than 1 radius of the scene, not {values[2]:g}")
+    return Camera(*values)
+
+
+def _compare(options: argparse.Namespace) -> int:
+    if options.list:
+        return _list(options)
+    if not options.scene:
+        print("glsim compare: name a scene or a mesh file; --list shows the built-in scenes", file=sys.stderr)
+        return 2
+    from glsim.study.compare import compare
+
+    result = compare(
+        options.scene,
+        modes=options.modes.split(","),
+        lobes=options.lobe.split(","),
+        size=options.size,
+        lights=options.light,
+        material=options.material,
+        camera=options.camera,
+    )
+    result.save(options.output)
+    rows = result.statistics()
+    if options.json:
+        print(json.dumps({"status": "ok", "scene": result.title, "output": options.output, "differences": rows}))
+        return 0
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(title=f"{result.title}: difference from {result.modes[0]}, in 1/255")
+    for heading in ("lobe", "mode", "max", "mean"):
+        table.add_column(heading, justify="right" if heading in ("max", "mean") else "left")
+    for row in rows:
+        table.add_row(row["lobe"], row["mode"], str(row["max"]), f"{row['mean']:.2f}")
+    console = Console()
+    console.print(table)
+    console.print(f"wrote {options.output}")
+    return 0
+
+
+def _list(options: argparse.Namespace) -> int:
+    from glsim.scenes import BUILT_IN, MATERIALS
+
+    if options.json:
+        print(json.dumps({"scenes": {name: entry.about for name, entry in BUILT_IN.items()}, "materials": list(MATERIALS)}))
+        return 0
+    print("Scenes (NAME or NAME:SLICES):")
+    for name, entry in BUILT_IN.items():
+        print(f"  {name:12} {entry.about}")
+    print("Materials:")
+    print("  " + ", ".join(MATERIALS))
+    return 0
+
+
+# ---------------------------------------------------------------- doctor
+
+
+def _doctor(options: argparse.Namespace) -> int:
+    from glsim.render.diagnose import diagnose
+
+    found = diagnose()
+    if options.json:
+        print(json.dumps(found))
+    else:
+        _print_diagnosis(found)
+    return 0 if found["works"] else 1
+
+
+def _print_diagnosis(found: dict[str, Any]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console()
+    console.print(f"glsim {found['glsim']}, Python {found['python']}, {found['platform']}", highlight=False)
+    console.print(", ".join(f"{name} {version}" for name, version in found["packages"].items()), highlight=False)
+    table = Table("backend", "works", "what it is, or what it said", "what to do")
+    for entry in found["backends"]:
+        if entry["works"]:
+            table.add_row(entry["backend"], "yes", f"{entry['renderer']}\n{entry['version']}", "")
+        else:
+            table.add_row(entry["backend"], "no", entry["said"], entry["fix"])
+    console.print(table)
+    for device in found["devices"]:
+        console.print(f"EGL device {device['index']}: {device['renderer']}", highlight=False)
+    native = found["native fixed function"]
+    words = f"{native['renderer']} ({native['version']}) by {native['backend']}" if native["works"] else native["said"]
+    console.print(f"native fixed function: {words}", highlight=False)
+    verdict = "glsim can draw here." if found["works"] else "glsim cannot draw here: install what the table says."
+    console.print(verdict)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,160 @@
+"""Scenes: a mesh or several, a material, lights and a camera, drawn through the gl commands."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+
+from glsim.machine.state import Face
+from glsim.scenes.load import MeshError, fit, load
+from glsim.scenes.materials import MATERIALS, material
+from glsim.scenes.mesh import Mesh
+from glsim.scenes.shapes import cube, low_terrain, sphere, teapot, terrain, torus
+
+__all__ = ["BUILT_IN", "MATERIALS", "Camera", "Mesh", "MeshError", "Scene", "load", "material", "open_scene"]
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Looks at the origin.  azimuth, elevation: degrees; distance: radii of the scene; angle: vertical view, degrees."""
+
+    azimuth: float = 25.0
+    elevation: float = 20.0
+    distance: float = 4.0
+    angle: float = 30.0
+
+
+@dataclass(frozen=True)
+class Lamp:
+    """A white light.  position: (x, y, z, w) in eye space, w = 0 for a direction; brightness: of I_d and I_s."""
+
+    position: tuple[float, float, float, float]
+    brightness: float = 1.0
+
+
+# A key light from the upper left, and a weak one from the right so that no side is black.
+DEFAULT_LIGHTS = (Lamp((-3.0, 4.0, 5.0, 0.0), 0.95), Lamp((5.0, 1.0, 3.0, 0.0), 0.25))
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What ``draw`` draws.  material: for meshes that have none of their own."""
+
+    name: str
+    meshes: Sequence[Mesh]
+    material: Face = MATERIALS["brass"]
+    camera: Camera = Camera()
+    lights: Sequence[Lamp] = DEFAULT_LIGHTS
+    two_sided: bool = False
+    background: tuple[float, float, float] = field(default=(0.13, 0.14, 0.17))
+
+    def draw(self, width: int, height: int) -> None:
+        """Draw with the gl commands into a picture of this size; the shade model is left as it is."""
+        from glsim import gl
+
+        gl.glClearColor(*self.background, 1.0)
+        gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
+        gl.glEnable(gl.GL_DEPTH_TEST)
+        gl.glEnable(gl.GL_LIGHTING)
+        gl.glLightModelfv(gl.GL_LIGHT_MODEL_AMBIENT, [0.3, 0.3, 0.3, 1.0])
+        gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, 1)
+        gl.glLightModeli(gl.GL_LIGHT_MODEL_TWO_SIDE, int(self.two_sided))
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        gl.glLoadIdentity()
+        near, far = max(self.camera.distance - 2.0, 0.05), self.camera.distance + 2.0
+        top = near * float(np.tan(np.radians(self.camera.angle / 2)))
+        gl.glFrustum(-top * width / height, top * width / height, -top, top, near, far)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        gl.glLoadIdentity()
+        for number, light in enumerate(self.lights):
+            color = [light.brightness] * 3 + [1.0]
+            gl.glEnable(gl.GL_LIGHT0 + number)
+            gl.glLightfv(gl.GL_LIGHT0 + number, gl.GL_POSITION, light.position)
+            gl.glLightfv(gl.GL_LIGHT0 + number, gl.GL_DIFFUSE, color)
+            gl.glLightfv(gl.GL_LIGHT0 + number, gl.GL_SPECULAR, color)
+        gl.glTranslatef(0.0, 0.0, -self.camera.distance)
+        gl.glRotatef(self.camera.elevation, 1.0, 0.0, 0.0)
+        gl.glRotatef(-self.camera.azimuth, 0.0, 1.0, 0.0)
+        for mesh in self.meshes:
+            draw_mesh(mesh, mesh.material or self.material)
+
+
+def draw_mesh(mesh: Mesh, face: Face) -> None:
+    """One mesh as vertex arrays, under the current matrices and lights."""
+    from glsim import gl
+
+    side = gl.GL_FRONT_AND_BACK
+    gl.glMaterialfv(side, gl.GL_AMBIENT, face.ambient)
+    gl.glMaterialfv(side, gl.GL_DIFFUSE, face.diffuse)
+    gl.glMaterialfv(side, gl.GL_SPECULAR, face.specular)
+    gl.glMaterialfv(side, gl.GL_EMISSION, face.emission)
+    gl.glMaterialf(side, gl.GL_SHININESS, face.shininess)
+    gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
+    gl.glEnableClientState(gl.GL_NORMAL_ARRAY)
+    gl.glVertexPointer(3, gl.GL_FLOAT, 0, mesh.positions)
+    gl.glNormalPointer(gl.GL_FLOAT, 0, mesh.normals)
+    if mesh.colors is not None:
+        gl.glColorMaterial(side, gl.GL_AMBIENT_AND_DIFFUSE)
+        gl.glEnable(gl.GL_COLOR_MATERIAL)
+        gl.glEnableClientState(gl.GL_COLOR_ARRAY)
+        gl.glColorPointer(4, gl.GL_FLOAT, 0, mesh.colors)
+    for mode, faces in ((gl.GL_TRIANGLES, mesh.triangles), (gl.GL_QUADS, mesh.quads)):
+        if faces.size:
+            gl.glDrawElements(mode, faces.size, gl.GL_UNSIGNED_INT, faces)
+    for array in (gl.GL_VERTEX_ARRAY, gl.GL_NORMAL_ARRAY, gl.GL_COLOR_ARRAY):
+        gl.glDisableClientState(array)
+    gl.glDisable(gl.GL_COLOR_MATERIAL)
+
+
+def _moved(mesh: Mesh, x: float, y: float, scale: float) -> Mesh:
+    return replace(mesh, positions=(mesh.positions * scale + (x, y, 0)).astype(np.float32))
+
+
+def _spheres(_: int) -> list[Mesh]:
+    return [_moved(sphere(n), x, y, 0.48) for n, x, y in ((6, -0.5, 0.5), (12, 0.5, 0.5), (24, -0.5, -0.5), (96, 0.5, -0.5))]
+
+
+def _one(shape: Callable[[int], Mesh]) -> Callable[[int], list[Mesh]]:
+    return lambda slices: fit([shape(slices)])
+
+
+@dataclass(frozen=True)
+class _BuiltIn:
+    about: str
+    meshes: Callable[[int], list[Mesh]]
+    slices: int
+    material: str
+    camera: Camera = Camera()
+
+
+BUILT_IN: dict[str, _BuiltIn] = {
+    "teapot": _BuiltIn("the Utah teapot from its Bezier patches", _one(teapot), 6, "brass", Camera(30, 22, 3.5)),
+    "sphere": _BuiltIn("one sphere", _one(sphere), 16, "ruby", Camera(0, 10, 4.3)),
+    "spheres": _BuiltIn("a sphere with 6, 12, 24 and 96 slices", _spheres, 0, "jade", Camera(0, 0, 4.0)),
+    "torus": _BuiltIn("a torus", _one(torus), 24, "polished-gold", Camera(0, 35, 4.0)),
+    "cube": _BuiltIn("a cube: six quads", _one(cube), 1, "cyan-plastic", Camera(30, 25, 4.3)),
+    "terrain": _BuiltIn("smooth hills", _one(terrain), 96, "copper", Camera(30, 35, 3.6)),
+    "low-terrain": _BuiltIn("the same hills with few facets", _one(low_terrain), 14, "copper", Camera(30, 35, 3.6)),
+}
+
+
+def open_scene(what: str | Path) -> Scene:
+    """A built-in scene by name, "sphere" or with its number of slices "sphere:64", or a mesh file by path.
+
+    Raises MeshError for a file that cannot be drawn, ValueError for a number of slices that cannot be.
+    """
+    name, _, number = str(what).partition(":")
+    if name in BUILT_IN and not Path(what).exists():
+        entry = BUILT_IN[name]
+        if number and not (number.isdigit() and 1 <= int(number) <= 2000):
+            raise ValueError(f"{what}: the number of slices must be from 1 to 2000, not {number!r}")
+        slices = int(number) if number else entry.slices
+        if name in ("sphere", "torus") and slices < 3:
+            raise ValueError(f"{what}: a {name} needs at least 3 slices")
+        return Scene(str(what), entry.meshes(slices), material(entry.material), entry.camera)
+    if not Path(what).is_file():
+        raise MeshError(f"{what}: there is no such file, and the built-in scenes are {', '.join(BUILT_IN)}")
+    return Scene(Path(what).name, load(what), material("white-plastic"), two_sided=True)

@@ -1,0 +1,120 @@
+"""Mesh files: everything trimesh reads, with errors a user understands."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from glsim.machine.state import BLACK, Color, Face
+from glsim.scenes.mesh import Mesh, unit, with_normals
+
+READ = (".glb", ".gltf", ".obj", ".off", ".ply", ".stl", ".3mf", ".dae", ".xyz")
+
+
+class MeshError(ValueError):
+    """A mesh file that cannot be drawn; the message names the file and what is wrong with it."""
+
+
+def load(path: str | Path) -> list[Mesh]:
+    """The meshes of a file, centred and scaled into a sphere of radius 1.
+
+    Normals are taken from the file or made; materials are mapped to k_a, k_d, k_s and n.
+    Raises MeshError for a missing, broken or empty file, or one with coordinates that are not numbers.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise MeshError(f"{path}: there is no such file, and no built-in scene of this name")
+    import trimesh
+
+    try:
+        scene = trimesh.load_scene(path)
+        geometries = [g for g in scene.dump() if isinstance(g, trimesh.Trimesh) and len(g.faces)]
+    except Exception as error:  # whatever the reader of this format trips over
+        kind = path.suffix.lstrip(".").upper() or "mesh"
+        raise MeshError(f"{path} cannot be read as a {kind} file: {' '.join(str(error).split()) or type(error).__name__}") from error
+    if not geometries:
+        raise MeshError(f"{path} has no triangles to draw")
+    meshes = [convert(geometry, str(path)) for geometry in geometries]
+    return fit(meshes)
+
+
+def convert(geometry: Any, name: str) -> Mesh:
+    """A trimesh.Trimesh as a Mesh.  Raises MeshError if it has no usable triangle."""
+    positions = np.asarray(geometry.vertices, np.float64)
+    triangles = np.asarray(geometry.faces, np.uint32)
+    used = positions[triangles.astype(np.int64)]
+    broken = ~np.isfinite(used).all(axis=(1, 2))
+    if broken.any():
+        raise MeshError(f"{name}: {int(broken.sum())} of {len(triangles)} triangles have NaN or infinite coordinates; repair the file")
+    area = np.linalg.norm(np.cross(used[:, 1] - used[:, 0], used[:, 2] - used[:, 0]), axis=1)
+    if not (area > 0.0).any():
+        raise MeshError(f"{name}: all {len(triangles)} triangles are degenerate (they have no area)")
+    triangles = triangles[area > 0.0]
+    colors = _colors(geometry)
+    if colors is not None and len(colors) == len(geometry.faces) and len(colors) != len(positions):
+        colors = np.repeat(colors[area > 0.0], 3, axis=0)
+        positions, triangles = positions[triangles].reshape(-1, 3), np.arange(triangles.size, dtype=np.uint32).reshape(-1, 3)
+    own_normals = "vertex_normals" in geometry._cache.cache
+    normals = np.asarray(geometry.vertex_normals) if own_normals else None
+    if normals is not None and normals.shape == positions.shape and np.isfinite(normals).all():
+        mesh = Mesh(
+            positions.astype(np.float32), unit(normals).astype(np.float32), triangles, np.empty((0, 4), np.uint32)
+        )
+    else:
+        before = len(positions)
+        mesh = with_normals(positions, triangles)
+        if colors is not None and len(mesh.positions) != before:
+            colors = colors[triangles.ravel()]
+    mesh.colors = colors
+    mesh.material = _material(geometry)
+    return mesh
+
+
+def _colors(geometry: Any) -> Any:
+    """Colours per vertex or per face, in [0, 1], if the file has them."""
+    kind = getattr(geometry.visual, "kind", None)
+    if kind not in ("vertex", "face"):
+        return None
+    colors = geometry.visual.vertex_colors if kind == "vertex" else geometry.visual.face_colors
+    return np.asarray(colors, np.float32) / 255.0
+
+
+def _material(geometry: Any) -> Face | None:
+    """The file's material as the fixed function knows it.
+
+    A physically based material keeps its base colour as k_d; its roughness r becomes the Blinn exponent
+    n = 2 / r^4 - 2 (Walter et al. 2007, with alpha = r^2), at most 128.
+    """
+    source = getattr(geometry.visual, "material", None)
+    if source is None:
+        return None
+    rgba = np.asarray(getattr(source, "main_color", (204, 204, 204, 255)), float) / 255.0
+    diffuse: Color = (float(rgba[0]), float(rgba[1]), float(rgba[2]), 1.0)
+    roughness = getattr(source, "roughnessFactor", None)
+    if hasattr(source, "baseColorFactor"):
+        r = 1.0 if roughness is None else max(float(roughness), 0.05)
+        n = min(max(2.0 / r**4 - 2.0, 0.0), 128.0)
+        k_s = 0.04 if not getattr(source, "metallicFactor", 0.0) else 0.6
+        specular: Color = (k_s, k_s, k_s, 1.0)
+    else:
+        given = np.asarray(getattr(source, "specular", (0, 0, 0, 255)), float)[:3] / 255.0
+        specular = (*map(float, given), 1.0)  # type: ignore[assignment]
+        n = min(max(float(getattr(source, "glossiness", 0.0) or 0.0), 0.0), 128.0)
+    emissive = getattr(source, "emissiveFactor", None)
+    emission: Color = BLACK if emissive is None else (*map(float, emissive[:3]), 1.0)  # type: ignore[assignment]
+    ambient: Color = (diffuse[0], diffuse[1], diffuse[2], 1.0)
+    return Face(ambient, diffuse, specular, emission, n)
+
+
+def fit(meshes: list[Mesh]) -> list[Mesh]:
+    """Move and scale meshes together into the unit sphere around the origin."""
+    used = [mesh.positions[np.concatenate([mesh.triangles.ravel(), mesh.quads.ravel()])] for mesh in meshes]
+    low = np.min([points.min(axis=0) for points in used], axis=0)
+    high = np.max([points.max(axis=0) for points in used], axis=0)
+    centre = (low.astype(np.float64) + high) / 2
+    radius = max(float(np.linalg.norm(points - centre, axis=1).max()) for points in used)
+    for mesh in meshes:
+        mesh.positions = ((mesh.positions - centre) / radius).astype(np.float32)
+    return meshes

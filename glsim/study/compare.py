@@ -1,0 +1,226 @@
+"""The same scene under different shading, side by side."""
+
+from __future__ import annotations
+
+import io
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.files import write_atomically
+from glsim.machine.assembly import corners, edges
+from glsim.machine.constants import (
+    GL_BLINN_TORRANCE_GLSIM,
+    GL_FLAT,
+    GL_LINES,
+    GL_PHONG_LOBE_GLSIM,
+    GL_PHONG_WIN,
+    GL_SMOOTH,
+)
+from glsim.machine.frame import Draw, Frame, Vertices
+from glsim.scenes import Camera, Lamp, Scene, open_scene
+from glsim.scenes.load import convert, fit
+from glsim.study.capture import capture
+
+if TYPE_CHECKING:
+    from PIL import Image
+
+    from glsim.render.context import Offscreen
+
+Pixels = NDArray[np.uint8]
+
+MODES = {
+    "wireframe": "Wireframe",
+    "unlit": "Unlit",
+    "flat": "Flat",
+    "gouraud": "Gouraud",
+    "phong": "Phong",
+    "native": "Driver's fixed function",
+}
+LOBES = {"blinn": "Blinn-Torrance  (N·H)^n", "phong": "Phong  (R·V)^n"}
+SHADE_MODEL = {"flat": GL_FLAT, "gouraud": GL_SMOOTH, "phong": GL_PHONG_WIN}
+LOBE = {"blinn": GL_BLINN_TORRANCE_GLSIM, "phong": GL_PHONG_LOBE_GLSIM}
+AMPLIFIED = 4
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Pictures of one scene.  images[lobe, mode]: (height, width, 3) uint8, top row first."""
+
+    title: str
+    modes: tuple[str, ...]
+    lobes: tuple[str, ...]
+    images: dict[tuple[str, str], Pixels]
+
+    def difference(self, lobe: str, mode: str) -> NDArray[np.int16]:
+        """|picture - picture of the first mode| for a lobe, (height, width, 3) in 0..255."""
+        a, b = self.images[lobe, self.modes[0]], self.images[lobe, mode]
+        return np.abs(a.astype(np.int16) - b.astype(np.int16))
+
+    def statistics(self) -> list[dict[str, Any]]:
+        """For each lobe and mode the largest and the mean difference from the first mode, in 1/255."""
+        rows = []
+        for lobe, mode in self.images:
+            d = self.difference(lobe, mode)
+            rows.append({"lobe": lobe, "mode": mode, "max": int(d.max()), "mean": round(float(d.mean()), 4)})
+        return rows
+
+    @property
+    def sheet(self) -> Image.Image:
+        """The labelled sheet: for each lobe a row of pictures and, under it, amplified differences from the first."""
+        from glsim.study.sheet import draw_sheet
+
+        return draw_sheet(self)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the sheet; the file's ending says the format."""
+        sheet = self.sheet
+        write_atomically(path, lambda name: sheet.save(name))
+
+    def _repr_png_(self) -> bytes:
+        buffer = io.BytesIO()
+        self.sheet.save(buffer, "PNG")
+        return buffer.getvalue()
+
+
+def compare(
+    what: Any,
+    *,
+    modes: Sequence[str] = ("flat", "gouraud", "phong"),
+    lobes: Sequence[str] = ("blinn", "phong"),
+    size: int = 512,
+    lights: Sequence[Lamp] | None = None,
+    material: str | None = None,
+    camera: Camera | None = None,
+    backend: str = "auto",
+) -> Comparison:
+    """Draw ``what`` once for each shading mode and specular lobe.
+
+    what: a function that draws with the gl commands, a Scene, the name of a built-in scene, the path of a mesh file,
+        or a trimesh.Trimesh.
+    modes: of "flat", "gouraud", "phong", "wireframe", "unlit", "native" (the driver's own fixed function).
+    lobes: "blinn" and/or "phong".  size: of each picture, in pixels.
+    lights, material, camera: instead of the scene's own; not for a function, which sets its own.
+
+    Raises ValueError for an unknown mode, lobe or material, MeshError for a file that cannot be drawn, NoNativeError
+    if "native" is asked for and the platform has none.
+    """
+    for kind, given, known in (("mode", modes, MODES), ("lobe", lobes, LOBES)):
+        unknown = [name for name in given if name not in known]
+        if unknown or not given:
+            raise ValueError(f"compare: {kind}s are {', '.join(known)}, not {', '.join(unknown) or 'none'}")
+    title, draw = _drawer(what, size, lights, material, camera)
+    from glsim.machine.current import current_machine, make_current
+    from glsim.machine.machine import Machine
+    from glsim.render.context import offscreen
+
+    before = current_machine()
+    screen = offscreen(size, size, backend=backend)
+    try:
+        with capture(calls="native" in modes) as frame:
+            draw()
+        images = {(lobe, mode): _picture(screen, frame, mode, lobe) for lobe in lobes for mode in modes}
+    finally:
+        screen.release()
+        make_current(before if isinstance(before, Machine) else None)
+    return Comparison(title, tuple(modes), tuple(lobes), images)
+
+
+def _drawer(
+    what: Any, size: int, lights: Sequence[Lamp] | None, material: str | None, camera: Camera | None
+) -> tuple[str, Callable[[], None]]:
+    """A title, and a function without arguments that draws."""
+    if callable(what) and not isinstance(what, Scene):
+        if lights or material or camera:
+            raise ValueError("compare: a drawing function sets its own lights, material and camera")
+        return getattr(what, "__name__", "drawing"), what
+    if isinstance(what, Scene):
+        scene = what
+    elif isinstance(what, (str, Path)):
+        scene = open_scene(what)
+    elif hasattr(what, "vertices") and hasattr(what, "faces"):
+        scene = Scene("mesh", fit([convert(what, "mesh")]), two_sided=True)
+    else:
+        raise TypeError(f"compare: a scene name, a file, a Scene, a mesh or a drawing function is needed, not {what!r}")
+    if lights is not None:
+        scene = replace(scene, lights=lights)
+    if camera is not None:
+        scene = replace(scene, camera=camera)
+    if material is not None:
+        from glsim.scenes import material as named
+
+        face = named(material)
+        scene = replace(scene, material=face, meshes=[replace(m, material=face, colors=None) for m in scene.meshes])
+    return scene.name, lambda: scene.draw(size, size)
+
+
+def _picture(screen: Offscreen, frame: Frame, mode: str, lobe: str) -> Pixels:
+    if mode == "native":
+        return _native(frame)
+    screen.reset()
+    screen.execute(shaded(frame, mode, lobe).packets)
+    return np.ascontiguousarray(screen.pixels()[..., :3])
+
+
+def _native(frame: Frame) -> Pixels:
+    from glsim.render.native import Native
+
+    native = Native(frame.width, frame.height)
+    try:
+        return np.ascontiguousarray(native.replay(frame.calls)[..., :3])
+    finally:
+        native.release()
+
+
+def shaded(frame: Frame, mode: str, lobe: str) -> Frame:
+    """The frame with every lit draw under another shade model and lobe, or as wireframe, or without light."""
+    if mode == "wireframe":
+        return _unlit(frame).map_draws(_outline)
+    if mode == "unlit":
+        return _unlit(frame)
+
+    def change(draw: Draw) -> Draw:
+        lighting = draw.state.lighting._replace(shade_model=SHADE_MODEL[mode], lobe=LOBE[lobe])
+        return draw.with_state(draw.state._replace(lighting=lighting))
+
+    return frame.map_draws(change)
+
+
+def _unlit(frame: Frame) -> Frame:
+    """Lit draws in the plain colour k_d of their material."""
+    blocks: dict[int, Vertices] = {}
+
+    def change(draw: Draw) -> Draw:
+        lighting = draw.state.lighting
+        if not lighting.enabled:
+            return draw
+        if id(draw.vertices) not in blocks:
+            blocks[id(draw.vertices)] = Vertices(draw.vertices.rows.copy(), draw.vertices.w, [])
+        plain = draw.with_state(draw.state._replace(lighting=lighting._replace(enabled=False)))
+        plain.vertices = blocks[id(draw.vertices)]
+        if not lighting.color_material:
+            end = draw.first + draw.count
+            plain.vertices.rows[draw.first : end, 6:10] = draw.material.front.diffuse
+            for vertex, material in draw.vertices.materials:
+                if draw.first <= vertex < end:
+                    plain.vertices.rows[vertex:end, 6:10] = material.front.diffuse
+        return plain
+
+    return frame.map_draws(change)
+
+
+def _outline(draw: Draw) -> Draw:
+    """The edges of a draw's triangles and polygons as lines."""
+    if corners(draw.mode) < 3:
+        return draw
+    count = draw.count if draw.indices is None else len(draw.indices)
+    order = edges(draw.mode, count)
+    outline = draw.with_state(draw.state)
+    outline.mode = GL_LINES
+    outline.indices = order if draw.indices is None else draw.indices[order]
+    return outline
