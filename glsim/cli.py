@@ -34,7 +34,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     from glsim import __version__
 
-    parser = argparse.ArgumentParser(prog="glsim", description="OpenGL's fixed-function pipeline, to teach and to learn.")
+    parser = argparse.ArgumentParser(
+        prog="glsim", description="OpenGL's fixed-function pipeline, to teach and to learn."
+    )
     parser.add_argument("--version", action="version", version=f"glsim {__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     _add_compare(commands)
@@ -50,7 +52,9 @@ def _parser() -> argparse.ArgumentParser:
 def _add_compare(commands: Any) -> None:
     text = "draw a scene flat, Gouraud and Phong shaded, with either specular lobe, side by side"
     p = commands.add_parser("compare", help=text, description=text[0].upper() + text[1:] + ".")
-    p.add_argument("scene", nargs="?", help="a built-in scene (see --list) or a mesh file: OBJ, PLY, STL, GLB, OFF, ...")
+    p.add_argument(
+        "scene", nargs="?", help="a built-in scene (see --list) or a mesh file: OBJ, PLY, STL, GLB, OFF, ..."
+    )
     p.add_argument("-o", "--output", metavar="FILE", help="the sheet (default: compare.png)", default="compare.png")
     p.add_argument("--modes", default="flat,gouraud,phong", metavar="A,B,...",
                    help="columns: flat, gouraud, phong, wireframe, unlit, native (default: %(default)s)")  # fmt: skip
@@ -61,7 +65,7 @@ def _add_compare(commands: Any) -> None:
                    help="a light in eye space, W = 0 (default) for a direction; may be repeated")  # fmt: skip
     p.add_argument("--material", metavar="NAME", help="a named material such as brass (see --list)")
     p.add_argument("--camera", type=_camera, metavar="AZIMUTH,ELEVATION[,DISTANCE]",
-                   help="degrees around and above the scene, and the distance in radii (default: the scene's)")  # fmt: skip
+                   help="degrees around and above the scene, and the distance in radii")  # fmt: skip
     p.add_argument("--list", action="store_true", help="list the built-in scenes and materials")
     p.add_argument("--json", action="store_true", help="print the differences as one JSON object")
     p.set_defaults(run=_compare)
@@ -140,7 +144,11 @@ def _list(options: argparse.Namespace) -> int:
     from glsim.scenes import BUILT_IN, MATERIALS
 
     if options.json:
-        print(json.dumps({"scenes": {name: entry.about for name, entry in BUILT_IN.items()}, "materials": list(MATERIALS)}))
+        print(
+            json.dumps(
+                {"scenes": {name: entry.about for name, entry in BUILT_IN.items()}, "materials": list(MATERIALS)}
+            )
+        )
         return 0
     print("Scenes (NAME or NAME:SLICES):")
     for name, entry in BUILT_IN.items():

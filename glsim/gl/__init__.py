@@ -21,7 +21,7 @@ import ctypes
 from typing import Any
 
 from glsim.gl import arrays, fragment, immediate, light, matrix, query, vertex
-from glsim.gl.dispatch import SUFFIX_FREE, missing, suffix_free, variant
+from glsim.gl.dispatch import SUFFIX_FREE, missing, suffix_free, typed_arrays, variant
 from glsim.machine import constants
 from glsim.machine.commands import COMMANDS
 from glsim.machine.errors import GLError
@@ -37,7 +37,12 @@ GLclampf, GLclampd, GLvoid = ctypes.c_float, ctypes.c_double, None
 
 
 _TOPICS = (vertex, arrays, matrix, light, fragment, query)
-_BODIES = {name: body for topic in _TOPICS for name, body in vars(topic).items() if name.startswith("gl") and name[2:3].isupper()}
+_BODIES = {
+    name: body
+    for topic in _TOPICS
+    for name, body in vars(topic).items()
+    if name.startswith("gl") and name[2:3].isupper()
+}
 
 
 def _functions() -> dict[str, Any]:
@@ -49,6 +54,7 @@ def _functions() -> dict[str, Any]:
         functions[command.name] = hot or (variant(command, body) if body else missing(command))
     for family in SUFFIX_FREE:
         functions[family] = suffix_free(family, functions)
+    functions.update(typed_arrays(functions))
     for kind in ("Boolean", "Integer", "Float", "Double"):
         functions[f"glGet{kind}"] = functions[f"glGet{kind}v"]
     return functions
@@ -62,6 +68,6 @@ UNSUPPORTED = tuple(
 globals().update({name: value for name, value in vars(constants).items() if name.startswith("GL_")})
 globals().update(_functions())
 
-__all__ = [name for name in globals() if name.startswith("GL") or name.startswith("gl") and name[2:3].isupper()]
+__all__ = [name for name in globals() if name.startswith("GL") or (name.startswith("gl") and name[2:3].isupper())]
 __all__ += ["error"]
 implementations.update({name: globals()[name] for name in COMMANDS})

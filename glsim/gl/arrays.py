@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.gl.arguments import DTYPES, array_from
+from glsim.machine import constants
 from glsim.machine.assembly import MINIMUM
 from glsim.machine.constants import (
     GL_COLOR_ARRAY,
@@ -28,7 +29,6 @@ from glsim.machine.constants import (
     GL_VERTEX_ARRAY,
     Enum,
 )
-from glsim.machine import constants
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
 from glsim.machine.frame import ROW
 from glsim.machine.machine import Machine
@@ -65,7 +65,7 @@ def _set_pointer(m: Machine, array: int, pointer: Pointer, sizes: tuple[int, ...
         raise invalid_enum("type", pointer.type, "GL_FLOAT, GL_UNSIGNED_BYTE or another number type")
     if pointer.stride < 0:
         raise invalid_value("stride", pointer.stride, "at least 0")
-    data = array_from(pointer.data, DTYPES[pointer.type], "pointer")
+    data = None if pointer.data is None else array_from(pointer.data, DTYPES[pointer.type], "pointer")
     m.client[array] = client(m, array)._replace(pointer=pointer._replace(data=data))
 
 
@@ -254,7 +254,7 @@ def glDrawElements(m: Machine, mode: int, count: int, type: int, indices: Any) -
     if type not in INDEX_TYPES:
         raise invalid_enum("type", type, "GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT")
     dtype = DTYPES[type]
-    numbers = array_from(indices, dtype, "indices").view(dtype)
+    numbers: NDArray[Any] = array_from(indices, dtype, "indices").view(dtype)
     if numbers.size < count:
         raise ValueError(f"indices holds {numbers.size} numbers, but count is {count}")
     numbers = numbers[:count].astype(np.uint32)
@@ -289,7 +289,7 @@ def glArrayElement(m: Machine, i: int) -> None:
     texture = client(m, GL_TEXTURE_COORD_ARRAY)
     if _usable(texture):
         given = elements(texture.pointer, i, 1)[0].tolist()
-        m.texcoord[0] = tuple([*given, *(0.0, 0.0, 0.0, 1.0)[len(given) :]])  # type: ignore[assignment]
+        m.texcoord[0] = (*given, *(0.0, 0.0, 0.0, 1.0)[len(given) :])
     vertex = client(m, GL_VERTEX_ARRAY)
     if _usable(vertex):
         if m.inside is None:
@@ -300,5 +300,3 @@ def glArrayElement(m: Machine, i: int) -> None:
         if w is not None:
             m.w_rows.append((m.stream.tell() // (4 * ROW), w))
         m.write(rows.tobytes())
-
-

@@ -11,16 +11,29 @@ import inspect
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
 from glsim.gl.arguments import numbers, signed_colour
-from glsim.gl.query import COLOURS, answer
+from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
-from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
+from glsim.machine.constants import (
+    GL_AMBIENT_AND_DIFFUSE,
+    GL_BYTE,
+    GL_DOUBLE,
+    GL_FLOAT,
+    GL_INT,
+    GL_SHORT,
+    GL_UNSIGNED_BYTE,
+    GL_UNSIGNED_INT,
+    GL_UNSIGNED_SHORT,
+)
 from glsim.machine.current import on_switch
 from glsim.machine.errors import GLError, explain
 
 Function = Callable[..., Any]
 m: Any
-ERRORS = (GLError, TypeError, ValueError, OverflowError, NotImplementedError)
+errors = (GLError, TypeError, ValueError, OverflowError, NotImplementedError)
+explained = explain  # the template's names: m, errors, explained
 
 
 def _switch(machine: Any) -> None:
@@ -37,8 +50,8 @@ def bind(name, body):
             return m.{route}(name, ({tuple}))
         try:
             return body(m{call})
-        except ERRORS as error:
-            raise explain(error, name, ({tuple})) from None
+        except errors as error:
+            raise explained(error, name, ({tuple})) from None
     return command
 """
 _binders: dict[tuple[int, bool], Function] = {}
@@ -79,9 +92,11 @@ def public(command: Command, body: Function, parameters: tuple[str, ...], defaul
 def variant(command: Command, body: Function) -> Function:
     """The public function of one row of the table, from the body of its family."""
     family = FAMILIES[command.family]
-    if len(family) == 1 and not command.vector or body.__name__ == command.name:
+    if (len(family) == 1 and not command.vector) or body.__name__ == command.name:
         parameters = tuple(inspect.signature(body).parameters)[1:]
         return public(command, body, parameters, body.__defaults__)
+    if command.result:  # PyOpenGL's last argument of a query: an array to fill
+        return public(command, _adapt(command, body), (*command.parameters, "params"), (None,))
     return public(command, _adapt(command, body), command.parameters, None)
 
 
@@ -89,10 +104,10 @@ def _adapt(command: Command, body: Function) -> Function:
     """The body with this variant's arguments turned into the plain ones."""
     kind = command.type
     if command.result:  # glGetLightfv: numbers -> an array of the variant's type
-        return lambda m, *a: answer(body(m, *a), kind, a[-1] in COLOURS)
+        return lambda m, *a: into(a[-1], answer(body(m, *a[:-1]), kind, a[-2] in COLOURS))
     if command.family == "glRect" and command.vector:
         return lambda m, v1, v2: body(m, *v1, *v2)
-    if command.family == "glPixelStore" or command.size == 16 or not command.vector and command.size != 1:
+    if command.family == "glPixelStore" or command.size == 16 or (not command.vector and command.size != 1):
         return body if kind not in _SCALES else _scaled(body, _SCALES[kind], command)
     if command.size == 0 or command.arguments[-1][0] == "param":  # a named parameter
         return _integer_parameter(body) if kind == "i" else body
@@ -191,3 +206,35 @@ SUFFIX_FREE = (
     "glLight", "glLightModel", "glFog", "glTexEnv", "glTexGen", "glTexParameter", "glPixelStore", "glPixelTransfer",
     "glPointParameter",
 )  # fmt: skip
+
+
+# PyOpenGL's typed forms: the type follows from the name, size and count from the array.
+_TYPED = {"b": GL_BYTE, "s": GL_SHORT, "i": GL_INT, "f": GL_FLOAT, "d": GL_DOUBLE, "ub": GL_UNSIGNED_BYTE,
+          "us": GL_UNSIGNED_SHORT, "ui": GL_UNSIGNED_INT}  # fmt: skip
+
+
+def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
+    """glVertexPointerf(array), glColorPointerub(array), glDrawElementsui(mode, indices), ... as PyOpenGL has them."""
+
+    def pointer(name: str, gl_type: int, sized: bool) -> Function:
+        def call(array: Any) -> Any:
+            values = np.asarray(array)
+            size = (values.shape[-1] if values.ndim > 1 else 3,) if sized else ()
+            return functions[name](*size, gl_type, 0, values)
+
+        return call
+
+    def draw_elements(gl_type: int) -> Function:
+        return lambda mode, indices: functions["glDrawElements"](mode, np.size(indices), gl_type, indices)
+
+    made: dict[str, Function] = {}
+    for suffix, gl_type in _TYPED.items():
+        for array in ("Vertex", "Color", "TexCoord", "SecondaryColor"):
+            made[f"gl{array}Pointer{suffix}"] = pointer(f"gl{array}Pointer", gl_type, True)
+        for array in ("Normal", "Index"):
+            made[f"gl{array}Pointer{suffix}"] = pointer(f"gl{array}Pointer", gl_type, False)
+        if suffix in ("ub", "us", "ui"):
+            made[f"glDrawElements{suffix}"] = draw_elements(gl_type)
+    for name, function in made.items():
+        function.__name__ = function.__qualname__ = name
+    return made

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-
 from glsim.gl.light import set_color_material
 from glsim.machine.constants import (
     GL_ACCUM_BUFFER_BIT,
@@ -105,14 +104,14 @@ def _set(m: Machine, cap: int, value: bool) -> None:
         raise NotImplementedError(f"glEnable({LATER_CAPS[cap]!r}) is not in glsim yet")
 
 
-def glIsEnabled(m: Machine, cap: int) -> bool:
+def glIsEnabled(m: Machine, cap: int) -> int:
     place = CAPS.get(cap)
     if place is not None:
-        return bool(getattr(getattr(m, place[0]), place[1]))
+        return int(getattr(getattr(m, place[0]), place[1]))
     if 0 <= cap - GL_LIGHT0 < MAX_LIGHTS:
-        return m.lighting.light_enabled[cap - GL_LIGHT0]
+        return int(m.lighting.light_enabled[cap - GL_LIGHT0])
     if cap in LATER_CAPS:
-        return False
+        return 0
     raise invalid_enum("cap", cap, "something that can be enabled, such as GL_LIGHTING or GL_DEPTH_TEST")
 
 
@@ -183,5 +182,3 @@ def glFlush(m: Machine) -> None:
 def glFinish(m: Machine) -> None:
     m.flush()
     m.device.finish()
-
-

@@ -15,7 +15,7 @@ from glsim.machine.errors import explain
 
 row = Struct("10f").pack
 BAD = (TypeError, ValueError, OverflowError, struct_error)
-Numbers = Sequence[float]
+Numbers = Sequence[Any]
 m: Any
 
 
@@ -35,7 +35,7 @@ def _misuse(name: str, arguments: tuple[Any, ...], error: Exception) -> Exceptio
             try:
                 Struct(f"{len(value)}f").pack(*value)
             except BAD:
-                return TypeError(f"{name}: the current {what} {value!r} is not made of numbers (set by gl{what.title()})")
+                return TypeError(f"{name}: the current {what} (gl{what.title()}) is not made of numbers: {value!r}")
         return ValueError(f"{name}{arguments}: these numbers do not fit a 32-bit float")
     return found
 

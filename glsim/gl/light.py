@@ -57,11 +57,13 @@ ATTENUATIONS: dict[int, str] = {
     GL_LINEAR_ATTENUATION: "linear_attenuation",
     GL_QUADRATIC_ATTENUATION: "quadratic_attenuation",
 }
+
+
 def _color(params: Any) -> Color:
     """Four numbers; a missing alpha is 1."""
     values = numbers(params)
     if len(values) == 4:
-        return values  # type: ignore[return-value]
+        return values
     if len(values) < 3:
         raise ValueError(f"a colour needs four numbers (red, green, blue, alpha), not {len(values)}")
     return (*values, 1.0)[:4]  # type: ignore[return-value]
@@ -78,7 +80,9 @@ def glMaterial(m: Machine, face: int, pname: int, params: Any) -> None:
     change = CHANGES.get(pname)
     if change is None:
         if pname == GL_COLOR_INDEXES:
-            raise NotImplementedError("glMaterial(GL_COLOR_INDEXES): colour-index mode is not emulated; use RGBA colours")
+            raise NotImplementedError(
+                "glMaterial(GL_COLOR_INDEXES): colour-index mode is not emulated; use RGBA colours"
+            )
         expected = "GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION or GL_SHININESS"
         raise invalid_enum("pname", pname, expected)
     value = _shininess(params) if pname == GL_SHININESS else _color(params)
@@ -211,7 +215,7 @@ def glLightModel(m: Machine, pname: int, params: Any) -> None:
         if value not in choices:
             names = " or ".join(repr(choice) for choice in choices)
             raise invalid_enum("param", int(value), names)
-        m.lighting = lighting._replace(**{field: next(choice for choice in choices if choice == value)})
+        m.lighting = lighting._replace(**{field: next(choice for choice in choices if choice == value)})  # type: ignore[arg-type]
     else:
         raise invalid_enum("pname", pname, "a light model parameter such as GL_LIGHT_MODEL_AMBIENT")
 

@@ -11,7 +11,7 @@ from glsim.machine.errors import invalid_enum, invalid_value, stack_overflow, st
 from glsim.machine.machine import STACK_DEPTH, Machine
 from glsim.machine.matrix import Matrix
 
-NAMES = {GL_MODELVIEW: "modelview", GL_PROJECTION: "projection", GL_TEXTURE: "texture"}
+NAMES: dict[int, str] = {GL_MODELVIEW: "modelview", GL_PROJECTION: "projection", GL_TEXTURE: "texture"}
 
 
 def glMatrixMode(m: Machine, mode: int) -> None:
@@ -85,7 +85,11 @@ def glOrtho(m: Machine, left: float, right: float, bottom: float, top: float, zN
 
 
 def _check_box(left: float, right: float, bottom: float, top: float, near: float, far: float) -> None:
-    for a, b, names in ((left, right, "left and right"), (bottom, top, "bottom and top"), (near, far, "zNear and zFar")):
+    for a, b, names in (
+        (left, right, "left and right"),
+        (bottom, top, "bottom and top"),
+        (near, far, "zNear and zFar"),
+    ):
         if a == b:
             raise invalid_value(names, (a, b), "two different numbers")
 
@@ -101,5 +105,3 @@ def glViewport(m: Machine, x: int, y: int, width: int, height: int) -> None:
 def glDepthRange(m: Machine, zNear: float, zFar: float) -> None:
     near, far = (min(max(float(v), 0.0), 1.0) for v in (zNear, zFar))
     m.viewport = m.viewport._replace(near=near, far=far)
-
-

@@ -88,6 +88,12 @@ GETTERS: dict[int, Getter] = {
     gl.GL_POINT_SIZE: lambda m: 1.0,
     gl.GL_LINE_WIDTH: lambda m: 1.0,
 }
+
+
+def _pointer_getter(array: int, field: str) -> Getter:
+    return lambda m: getattr(client(m, array).pointer, field)
+
+
 for _array, _prefix in (
     (gl.GL_VERTEX_ARRAY, "VERTEX_ARRAY"), (gl.GL_COLOR_ARRAY, "COLOR_ARRAY"),
     (gl.GL_TEXTURE_COORD_ARRAY, "TEXTURE_COORD_ARRAY"), (gl.GL_NORMAL_ARRAY, "NORMAL_ARRAY"),
@@ -95,7 +101,7 @@ for _array, _prefix in (
     for _field in ("size", "type", "stride"):
         _name = getattr(gl, f"GL_{_prefix}_{_field.upper()}", None)
         if _name is not None:
-            GETTERS[_name] = lambda m, a=_array, f=_field: getattr(client(m, a).pointer, f)
+            GETTERS[_name] = _pointer_getter(_array, _field)
 
 
 def _lookup(m: Machine, pname: int) -> Any:
@@ -118,9 +124,9 @@ def answer(values: Any, kind: str, colour: bool = False) -> Any:
 
     kind: b boolean, i integer, f float32, d float64.
     """
-    array = np.asarray(values, np.float64)
+    array: Any = np.asarray(values, np.float64)
     if kind == "i" and colour:
-        array = np.floor((np.float32(array) * 4294967295.0 - 1.0) / 2.0 + 0.5)
+        array = np.trunc(np.float64(np.float32(array)) * 2147483647.0)  # 1.0 is the largest integer
     elif kind == "i":
         array = np.floor(array + 0.5)
     elif kind == "b":
@@ -131,25 +137,34 @@ def answer(values: Any, kind: str, colour: bool = False) -> Any:
     return array.reshape(-1)[0] if array.size == 1 else array
 
 
-def glGetBooleanv(m: Machine, pname: int) -> Any:
-    return answer(_lookup(m, pname), "b")
+def into(array: Any, values: Any) -> Any:
+    """``values``, or ``array`` filled with them if the program gave one."""
+    if array is None:
+        return values
+    view = np.asarray(array)
+    view.reshape(-1)[: np.size(values)] = np.ravel(values)
+    return array
 
 
-def glGetIntegerv(m: Machine, pname: int) -> Any:
-    return answer(_lookup(m, pname), "i", pname in COLOURS)
+def glGetBooleanv(m: Machine, pname: int, params: Any = None) -> Any:
+    return into(params, answer(_lookup(m, pname), "b"))
 
 
-def glGetFloatv(m: Machine, pname: int) -> Any:
-    return answer(_lookup(m, pname), "f")
+def glGetIntegerv(m: Machine, pname: int, params: Any = None) -> Any:
+    return into(params, answer(_lookup(m, pname), "i", pname in COLOURS))
 
 
-def glGetDoublev(m: Machine, pname: int) -> Any:
-    return answer(_lookup(m, pname), "d")
+def glGetFloatv(m: Machine, pname: int, params: Any = None) -> Any:
+    return into(params, answer(_lookup(m, pname), "f"))
+
+
+def glGetDoublev(m: Machine, pname: int, params: Any = None) -> Any:
+    return into(params, answer(_lookup(m, pname), "d"))
 
 
 def glGetError(m: Machine) -> int:
     """Always GL_NO_ERROR: an error is raised by the call that causes it."""
-    return gl.GL_NO_ERROR
+    return int(gl.GL_NO_ERROR)
 
 
 def glGetString(m: Machine, name: int) -> bytes:
@@ -190,7 +205,15 @@ def glPixelStore(m: Machine, pname: int, param: float) -> None:
 
 
 def glReadPixels(
-    m: Machine, x: int, y: int, width: int, height: int, format: int, type: int, array: Any = None, outputType: Any = bytes
+    m: Machine,
+    x: int,
+    y: int,
+    width: int,
+    height: int,
+    format: int,
+    type: int,
+    array: Any = None,
+    outputType: Any = bytes,
 ) -> Any:
     """Pixels, bottom row first.  As PyOpenGL: bytes for GL_UNSIGNED_BYTE, else an array; or into ``array``."""
     if width < 0 or height < 0:
@@ -229,5 +252,3 @@ def _convert(pixels: Any, dtype: type) -> Any:
     if np.dtype(dtype).kind == "u":
         return np.floor(unit * (2.0**bits - 1.0) + 0.5).astype(dtype)
     return np.floor(((2.0**bits - 1.0) * unit - 1.0) / 2.0 + 0.5).astype(dtype)
-
-

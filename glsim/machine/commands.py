@@ -62,7 +62,10 @@ def _components(
 def _numbers(name: str, types: str, arguments: str, **row: object) -> Iterator[Command]:
     """glTranslate{f,d}: scalar variants only; ``arguments`` without a type are of the variant's type."""
     for kind in types.split():
-        typed = tuple((word, t if ":" in pair else kind) for pair, (word, t) in zip(arguments.split(), _arguments(arguments), strict=True))
+        typed = tuple(
+            (word, t if ":" in pair else kind)
+            for pair, (word, t) in zip(arguments.split(), _arguments(arguments), strict=True)
+        )
         yield Command(f"{name}{kind}", name, typed, kind, len(typed), **row)  # type: ignore[arg-type]
 
 
@@ -173,7 +176,9 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _parameter("glPixelStore", "f i", "pname:enum", " ", listed=False)
     yield _parameter("glPixelTransfer", "f i", "pname:enum", " ")
     for kind in ("f", "ui", "us"):
-        yield iter((Command(f"glPixelMap{kind}v", "glPixelMap", _arguments("map:enum size:sizei values:data"), kind, 0, True),))
+        yield iter(
+            (Command(f"glPixelMap{kind}v", "glPixelMap", _arguments("map:enum size:sizei values:data"), kind, 0, True),)
+        )
     yield _command("glDrawPixels", f"width:sizei height:sizei {_IMAGE}")
     yield _command("glPixelZoom", "zx zy")
     yield _command("glBitmap", "width:sizei height:sizei xbo ybo xbi ybi data:data")
@@ -183,7 +188,9 @@ def _rows() -> Iterator[Iterator[Command]]:
         "glTexImage3D", f"target:enum level:i internalformat:i width:sizei height:sizei depth:sizei border:i {_IMAGE}"
     )
     yield _command("glCopyTexImage1D", "target:enum level:i internalformat:enum x:i y:i width:sizei border:i")
-    yield _command("glCopyTexImage2D", "target:enum level:i internalformat:enum x:i y:i width:sizei height:sizei border:i")
+    yield _command(
+        "glCopyTexImage2D", "target:enum level:i internalformat:enum x:i y:i width:sizei height:sizei border:i"
+    )
     yield _command("glTexSubImage1D", f"target:enum level:i xoffset:i width:sizei {_IMAGE}")
     yield _command("glTexSubImage2D", f"target:enum level:i xoffset:i yoffset:i width:sizei height:sizei {_IMAGE}")
     yield _command(
@@ -195,7 +202,11 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command(
         "glCopyTexSubImage3D", "target:enum level:i xoffset:i yoffset:i zoffset:i x:i y:i width:sizei height:sizei"
     )
-    for d, box in (("1D", "width:sizei"), ("2D", "width:sizei height:sizei"), ("3D", "width:sizei height:sizei depth:sizei")):
+    for d, box in (
+        ("1D", "width:sizei"),
+        ("2D", "width:sizei height:sizei"),
+        ("3D", "width:sizei height:sizei depth:sizei"),
+    ):
         offset = " ".join(f"{axis}offset:i" for axis in "xyz"[: int(d[0])])
         tail = "imageSize:sizei data:data"
         yield _command(f"glCompressedTexImage{d}", f"target:enum level:i internalformat:enum {box} border:i {tail}")
@@ -275,7 +286,9 @@ def _rows() -> Iterator[Iterator[Command]]:
     # 6 state and state requests
     for kind in ("Boolean", "Integer", "Float", "Double"):
         name = f"glGet{kind}"
-        yield iter((Command(f"{name}v", name, (("pname", "enum"),), kind[0].lower(), 0, True, listed=False, result="data"),))
+        yield iter(
+            (Command(f"{name}v", name, (("pname", "enum"),), kind[0].lower(), 0, True, listed=False, result="data"),)
+        )
     yield _command("glIsEnabled", "cap:enum", listed=False, result="boolean")
     yield _command("glGetPointerv", "pname:enum", listed=False, result="data")
     yield _command("glGetString", "name:enum", listed=False, result="data")

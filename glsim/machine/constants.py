@@ -25,7 +25,6 @@ class Enum(int):
         return (Enum, (self.name, int(self)))
 
 
-
 # OpenGL 1.0
 GL_2D = Enum("GL_2D", 0x0600)
 GL_2_BYTES = Enum("GL_2_BYTES", 0x1407)

@@ -7,7 +7,9 @@ does nothing but store.  A test checks that the files are what this program writ
 from __future__ import annotations
 
 import inspect
+from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 from glsim.machine.commands import COMMANDS, FAMILIES, Command
 from glsim.machine.constants import Enum
@@ -44,7 +46,7 @@ from glsim.machine.errors import explain
 
 row = Struct("10f").pack
 BAD = (TypeError, ValueError, OverflowError, struct_error)
-Numbers = Sequence[float]
+Numbers = Sequence[Any]
 m: Any
 
 
@@ -64,7 +66,7 @@ def _misuse(name: str, arguments: tuple[Any, ...], error: Exception) -> Exceptio
             try:
                 Struct(f"{len(value)}f").pack(*value)
             except BAD:
-                return TypeError(f"{name}: the current {what} {value!r} is not made of numbers (set by gl{what.title()})")
+                return TypeError(f"{name}: the current {what} (gl{what.title()}) is not made of numbers: {value!r}")
         return ValueError(f"{name}{arguments}: these numbers do not fit a 32-bit float")
     return found
 '''
@@ -121,7 +123,7 @@ def immediate() -> str:
 
 def stubs() -> str:
     """glsim/gl/__init__.pyi: the signature of every command and the name of every constant."""
-    import glsim.gl as gl
+    gl: Any = import_module("glsim.gl")
 
     lines = [
         '"""Signatures of the gl commands.  Written by ``python -m glsim.machine.generate``; do not edit."""',
@@ -142,7 +144,7 @@ def stubs() -> str:
         value = getattr(gl, name)
         lines.append(f"{name}: {'Enum' if isinstance(value, Enum) else 'int'}")
     lines.append("")
-    for name in sorted(name for name in gl.__all__ if not name.startswith("GL") and callable(getattr(gl, name))):
+    for name in sorted(name for name in gl.__all__ if name.startswith("gl") and callable(getattr(gl, name))):
         lines.append(stub(name, inspect.signature(getattr(gl, name))))
     return "\n".join(lines) + "\n"
 

@@ -33,7 +33,7 @@ from glsim.machine.state import (
 LARGE = 256 * 1024 * 1024
 
 # Depths of the matrix stacks; the specification's minimum is 32, 2 and 2.
-STACK_DEPTH = {GL_MODELVIEW: 64, GL_PROJECTION: 32, GL_TEXTURE: 32}
+STACK_DEPTH: dict[int, int] = {GL_MODELVIEW: 64, GL_PROJECTION: 32, GL_TEXTURE: 32}
 
 
 class Device(Protocol):
@@ -60,16 +60,16 @@ class Machine:
     """State of one context.  The short names at the top are what the hot commands of gl/immediate.py touch."""
 
     __slots__ = (
-        "alpha", "begin_material", "blue", "busy", "calls", "capturing", "client", "color_buffer", "depth", "device", "edge_flag",
-        "first", "fog_coord", "green", "hints", "index", "inside", "lighting", "material", "materials", "modelview",
-        "nx", "ny", "nz", "packets", "pixel_store", "polygon", "projection", "recorder", "red", "secondary_color",
-        "stack", "stacks", "stream", "texcoord", "texture_stack", "transform", "viewport", "w_rows", "write",
+        "alpha", "begin_material", "blue", "busy", "capturing", "client", "color_buffer", "depth", "device",
+        "edge_flag", "first", "fog_coord", "green", "hints", "index", "inside", "lighting", "material", "materials",
+        "modelview", "nx", "ny", "nz", "packets", "pixel_store", "polygon", "projection", "recorder", "red",
+        "secondary_color", "stack", "stacks", "stream", "texcoord", "texture_stack", "transform", "viewport",
+        "w_rows", "write",
     )  # fmt: skip
 
     def __init__(self, device: Device) -> None:
         self.device = device
         self.capturing: Frame | None = None
-        self.calls: list[Any] | None = None
         self.recorder: Callable[[str, tuple[Any, ...]], Any] | None = None
         self.reset()
 
@@ -96,7 +96,11 @@ class Machine:
         self.client: dict[Any, Any] = {}
         # matrices
         self.modelview, self.projection, self.texture_stack = [identity()], [identity()], [identity()]
-        self.stacks = {GL_MODELVIEW: self.modelview, GL_PROJECTION: self.projection, GL_TEXTURE: self.texture_stack}
+        self.stacks: dict[int, list[Matrix]] = {
+            GL_MODELVIEW: self.modelview,
+            GL_PROJECTION: self.projection,
+            GL_TEXTURE: self.texture_stack,
+        }
         self.stack = self.modelview
         # vertices and packets since the last flush
         self.inside: int | None = None

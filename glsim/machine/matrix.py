@@ -71,7 +71,7 @@ def evaluate(matrices: Iterable[Matrix]) -> None:
 
 
 def multiply(a: Float32, b: Float32) -> Float32:
-    """a * b for stacks of matrices (n, 4, 4): element (i, j) = a_i0 b_0j + a_i1 b_1j + a_i2 b_2j + a_i3 b_3j, in that order."""
+    """a * b for stacks of matrices (n, 4, 4): c_ij = a_i0 b_0j + a_i1 b_1j + a_i2 b_2j + a_i3 b_3j, in that order."""
     products = b[..., :, :, None] * a[..., None, :, :]  # indices: column j, summand k, row i
     return ((products[..., 0, :] + products[..., 1, :]) + products[..., 2, :]) + products[..., 3, :]  # type: ignore[no-any-return]
 
@@ -115,7 +115,7 @@ OPERATIONS: dict[str, Callable[[Float32, Float32], Float32]] = {
 
 
 def rotation(angle: float, x: float, y: float, z: float) -> Float32:
-    """Rotation by ``angle`` degrees about (x, y, z), OpenGL 1.5 section 2.11.2; the identity if the axis is (nearly) 0."""
+    """Rotation by ``angle`` degrees about (x, y, z), section 2.11.2; the identity if the axis is (0, 0, 0)."""
     matrix = np.eye(4, dtype=np.float32)
     f = np.float32
     radians = float(f(angle * math.pi / 180.0))

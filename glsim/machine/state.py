@@ -48,7 +48,7 @@ class Material(NamedTuple):
 
 
 class Light(NamedTuple):
-    """One light source.  Position and spot direction are in eye space: the modelview at the time of the call is in them."""
+    """One light source.  Position and spot direction are in eye space, as glLight found them."""
 
     ambient: Color = BLACK
     diffuse: Color = BLACK

@@ -29,7 +29,7 @@ Object = tuple[tuple[Matrix, Matrix], Material]
 
 @dataclass
 class Batch:
-    """Draws that become one call: rows ``base`` to ``base + objects`` of the objects, ``count`` indices from ``start``."""
+    """Draws that become one call: ``objects`` rows from ``base``, ``count`` indices from ``start``."""
 
     state: Snapshot
     corners: int

@@ -80,7 +80,7 @@ class Offscreen:
         """Give the context's memory back now; it cannot be used afterwards."""
         if current_machine() is self.machine:
             make_current(None)
-        self.ctx.__enter__()
+        self.ctx.__enter__()  # type: ignore[no-untyped-call]
         self.ctx.release()  # releases the loader too
 
     # ------------------------------------------------------------ what the machine asks of its device
@@ -155,8 +155,8 @@ class Offscreen:
                 framebuffer.color_mask = (True, True, True, True)
                 framebuffer.clear()
 
-    def _repr_png_(self) -> bytes:
-        return self.image()._repr_png_()  # type: ignore[no-any-return, attr-defined]
+    def _repr_png_(self) -> bytes | None:
+        return self.image()._repr_png_()
 
 
 def offscreen(width: int, height: int, *, samples: int = 0, backend: str = "auto") -> Offscreen:

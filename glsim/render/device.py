@@ -46,7 +46,9 @@ def _glcontext(backend: str, **settings: Any) -> Any:
 
 
 def _egl(device: int | None) -> Any:
-    return _glcontext("egl", libgl="libGL.so.1", libegl="libEGL.so.1", **({} if device is None else {"device_index": device}))
+    return _glcontext(
+        "egl", libgl="libGL.so.1", libegl="libEGL.so.1", **({} if device is None else {"device_index": device})
+    )
 
 
 def _x11(device: int | None) -> Any:
@@ -69,7 +71,7 @@ BACKENDS: dict[str, Callable[[int | None], Any]] = {"egl": _egl, "osmesa": _osme
 
 
 def order(backend: str = "auto") -> list[tuple[str, int | None]]:
-    """The ways to try, in order: ``backend`` if it names one ("egl", "egl:1", ...), else GLSIM_BACKEND, else the platform's.
+    """The ways to try: ``backend`` if it names one ("egl", "egl:1", ...), else GLSIM_BACKEND, else the platform's.
 
     The number after a colon is the EGL device index; without one GLCONTEXT_DEVICE_INDEX is honoured.
     """
@@ -78,7 +80,7 @@ def order(backend: str = "auto") -> list[tuple[str, int | None]]:
         names = ["egl", "osmesa", "x11"] if platform.system() == "Linux" else ["native"]
         return [(name, None) for name in names]
     name, _, index = wanted.partition(":")
-    if name not in BACKENDS or index and not index.isdigit():
+    if name not in BACKENDS or (index and not index.isdigit()):
         raise ValueError(f"backend must be auto, {', '.join(BACKENDS)} or egl:N, not {wanted!r}")
     return [(name, int(index) if index else None)]
 

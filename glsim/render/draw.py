@@ -219,10 +219,7 @@ def lights(lighting: Lighting) -> NDArray[np.float32]:
 
 def _light(light: Light) -> list[float]:
     x, y, z, w = light.position
-    if w:
-        position = (x / w, y / w, z / w)
-    else:
-        position = _unit((x, y, z))
+    position = (x / w, y / w, z / w) if w else _unit((x, y, z))
     cosine = -1.0 if light.spot_cutoff == 180.0 else math.cos(math.radians(light.spot_cutoff))
     return [
         *position, w, *light.ambient, *light.diffuse, *light.specular, *_unit(light.spot_direction),

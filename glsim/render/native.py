@@ -73,7 +73,9 @@ class _EGL:
 
     def _open_display(self) -> int:
         get = self.egl.eglGetProcAddress(b"eglGetPlatformDisplayEXT")
-        platform = ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_uint, ctypes.c_void_p, ctypes.c_void_p)(get) if get else None
+        platform = (
+            ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_uint, ctypes.c_void_p, ctypes.c_void_p)(get) if get else None
+        )
         candidates = [platform(self.SURFACELESS, None, None)] if platform else []
         query = self.egl.eglGetProcAddress(b"eglQueryDevicesEXT")
         if platform and query:
@@ -159,7 +161,7 @@ class Native:
                 if command.result:
                     continue
                 self._call(name, pass_on(command, arguments, kept))
-                inside = name == "glBegin" or inside and name != "glEnd"
+                inside = name == "glBegin" or (inside and name != "glEnd")
                 code = 0 if inside else self.error()
                 if code and errors is not None:
                     errors.append((name, code))
@@ -211,7 +213,7 @@ class Native:
 
 def pass_on(command: Command, arguments: tuple[Any, ...], kept: list[Any]) -> tuple[Any, ...]:
     """Python arguments of a recorded call -> what ctypes passes to the C function."""
-    passed = []
+    passed: list[Any] = []
     element = command.type
     names = dict(zip(command.parameters, arguments, strict=False))
     for (_, kind), value in zip(command.arguments, arguments, strict=False):
@@ -228,4 +230,3 @@ def pass_on(command: Command, arguments: tuple[Any, ...], kept: list[Any]) -> tu
         else:
             passed.append(int(value))
     return tuple(passed)
-

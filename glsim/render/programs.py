@@ -128,14 +128,14 @@ def constants(key: ProgramKey) -> str:
         lines.append(f"const bool[4] {name.upper()} = bool[4]({values});")
     lines.append(f"const int LIGHTS = {len(key.lights)};")
     kinds = key.lights or (LightKind(0, False, False, False),)  # an array cannot be empty
-    for name, kind, values in (
+    for name, kind, column in (
         ("LIGHT_NUMBER", "int", [k.number for k in kinds]),
         ("LIGHT_IS_POSITIONAL", "bool", [k.positional for k in kinds]),
         ("LIGHT_IS_ATTENUATED", "bool", [k.attenuated for k in kinds]),
         ("LIGHT_IS_SPOT", "bool", [k.spot for k in kinds]),
     ):
         size = f"{kind}[{len(kinds)}]"
-        lines.append(f"const {size} {name} = {size}({', '.join(map(_glsl, values))});")
+        lines.append(f"const {size} {name} = {size}({', '.join(map(_glsl, column))});")
     return "\n".join(lines) + "\n"
 
 

@@ -19,7 +19,7 @@ __all__ = ["BUILT_IN", "MATERIALS", "Camera", "Mesh", "MeshError", "Scene", "loa
 
 @dataclass(frozen=True)
 class Camera:
-    """Looks at the origin.  azimuth, elevation: degrees; distance: radii of the scene; angle: vertical view, degrees."""
+    """Looks at the origin.  azimuth, elevation, angle of view: degrees; distance: radii of the scene."""
 
     azimuth: float = 25.0
     elevation: float = 20.0
@@ -114,7 +114,9 @@ def _moved(mesh: Mesh, x: float, y: float, scale: float) -> Mesh:
 
 
 def _spheres(_: int) -> list[Mesh]:
-    return [_moved(sphere(n), x, y, 0.48) for n, x, y in ((6, -0.5, 0.5), (12, 0.5, 0.5), (24, -0.5, -0.5), (96, 0.5, -0.5))]
+    return [
+        _moved(sphere(n), x, y, 0.48) for n, x, y in ((6, -0.5, 0.5), (12, 0.5, 0.5), (24, -0.5, -0.5), (96, 0.5, -0.5))
+    ]
 
 
 def _one(shape: Callable[[int], Mesh]) -> Callable[[int], list[Mesh]]:
@@ -131,11 +133,11 @@ class _BuiltIn:
 
 
 BUILT_IN: dict[str, _BuiltIn] = {
-    "teapot": _BuiltIn("the Utah teapot from its Bezier patches", _one(teapot), 6, "brass", Camera(30, 22, 3.5)),
+    "teapot": _BuiltIn("the Utah teapot from its Bezier patches", _one(teapot), 6, "brass", Camera(30, 22, 3.85)),
     "sphere": _BuiltIn("one sphere", _one(sphere), 16, "ruby", Camera(0, 10, 4.3)),
     "spheres": _BuiltIn("a sphere with 6, 12, 24 and 96 slices", _spheres, 0, "jade", Camera(0, 0, 4.0)),
     "torus": _BuiltIn("a torus", _one(torus), 24, "polished-gold", Camera(0, 35, 4.0)),
-    "cube": _BuiltIn("a cube: six quads", _one(cube), 1, "cyan-plastic", Camera(30, 25, 4.3)),
+    "cube": _BuiltIn("a cube: six quads", _one(cube), 1, "turquoise", Camera(30, 25, 4.3)),
     "terrain": _BuiltIn("smooth hills", _one(terrain), 96, "copper", Camera(30, 35, 3.6)),
     "low-terrain": _BuiltIn("the same hills with few facets", _one(low_terrain), 14, "copper", Camera(30, 35, 3.6)),
 }

@@ -33,7 +33,9 @@ def load(path: str | Path) -> list[Mesh]:
         geometries = [g for g in scene.dump() if isinstance(g, trimesh.Trimesh) and len(g.faces)]
     except Exception as error:  # whatever the reader of this format trips over
         kind = path.suffix.lstrip(".").upper() or "mesh"
-        raise MeshError(f"{path} cannot be read as a {kind} file: {' '.join(str(error).split()) or type(error).__name__}") from error
+        raise MeshError(
+            f"{path} cannot be read as a {kind} file: {' '.join(str(error).split()) or type(error).__name__}"
+        ) from error
     if not geometries:
         raise MeshError(f"{path} has no triangles to draw")
     meshes = [convert(geometry, str(path)) for geometry in geometries]
@@ -47,7 +49,9 @@ def convert(geometry: Any, name: str) -> Mesh:
     used = positions[triangles.astype(np.int64)]
     broken = ~np.isfinite(used).all(axis=(1, 2))
     if broken.any():
-        raise MeshError(f"{name}: {int(broken.sum())} of {len(triangles)} triangles have NaN or infinite coordinates; repair the file")
+        raise MeshError(
+            f"{name}: {int(broken.sum())} of {len(triangles)} triangles have NaN or infinite coordinates; mend the file"
+        )
     area = np.linalg.norm(np.cross(used[:, 1] - used[:, 0], used[:, 2] - used[:, 0]), axis=1)
     if not (area > 0.0).any():
         raise MeshError(f"{name}: all {len(triangles)} triangles are degenerate (they have no area)")
@@ -55,7 +59,10 @@ def convert(geometry: Any, name: str) -> Mesh:
     colors = _colors(geometry)
     if colors is not None and len(colors) == len(geometry.faces) and len(colors) != len(positions):
         colors = np.repeat(colors[area > 0.0], 3, axis=0)
-        positions, triangles = positions[triangles].reshape(-1, 3), np.arange(triangles.size, dtype=np.uint32).reshape(-1, 3)
+        positions, triangles = (
+            positions[triangles].reshape(-1, 3),
+            np.arange(triangles.size, dtype=np.uint32).reshape(-1, 3),
+        )
     own_normals = "vertex_normals" in geometry._cache.cache
     normals = np.asarray(geometry.vertex_normals) if own_normals else None
     if normals is not None and normals.shape == positions.shape and np.isfinite(normals).all():

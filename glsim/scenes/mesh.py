@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +30,7 @@ class Mesh:
     material: Face | None = None
 
 
-def grid(points: Float, normals: Float) -> Mesh:
+def grid(points: NDArray[Any], normals: NDArray[Any]) -> Mesh:
     """A sheet of quads over points (rows, columns, 3); a quad with a side of no length becomes a triangle.
 
     The outside is where the rows run down and the columns to the right.
@@ -64,7 +65,7 @@ def join(meshes: list[Mesh]) -> Mesh:
     )
 
 
-def unit(vectors: NDArray[np.floating]) -> NDArray[np.floating]:
+def unit(vectors: NDArray[Any]) -> NDArray[Any]:
     """Vectors (..., 3) made unit length; zero vectors stay zero."""
     length = np.linalg.norm(vectors, axis=-1, keepdims=True)
     return vectors / np.where(length > 0.0, length, 1.0)

@@ -35,7 +35,11 @@ def cube(slices: int = 1) -> Mesh:
     x, y = np.meshgrid(t, -t)
     face = np.stack([x, y, np.ones_like(x)], axis=2)
     normal = np.broadcast_to((0.0, 0.0, 1.0), face.shape)
-    turns = [np.eye(3)[[0, 1, 2]], np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0]]), np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]])]
+    turns = [
+        np.eye(3)[[0, 1, 2]],
+        np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0]]),
+        np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]]),
+    ]
     turns += [turn @ np.diag([-1.0, 1.0, -1.0]) for turn in turns]
     return join([grid(face @ turn.T, normal @ turn.T) for turn in turns])
 

@@ -75,7 +75,11 @@ screen = glsim.offscreen(256, 256)
 screen.save(FILE)
 """,
 }
-IMPORTS = {"import numpy": "import numpy", "import glsim": "import numpy, glsim", "from glsim.gl import *": "from glsim.gl import *"}
+IMPORTS = {
+    "import numpy": "import numpy",
+    "import glsim": "import numpy, glsim",
+    "from glsim.gl import *": "from glsim.gl import *",
+}
 
 
 def wall(program: str) -> float:

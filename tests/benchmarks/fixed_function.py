@@ -105,7 +105,13 @@ def calls(gl: Any) -> dict[str, float]:
     empty = timed(gl, loop, lambda: [None for _ in loop], False)
     vertex, vertexv, normal, color = gl.glVertex3f, gl.glVertex3fv, gl.glNormal3f, gl.glColor3f
     material, front, diffuse = gl.glMaterialfv, gl.GL_FRONT, gl.GL_DIFFUSE
-    push, translate, pop, enable, lighting = gl.glPushMatrix, gl.glTranslatef, gl.glPopMatrix, gl.glEnable, gl.GL_LIGHTING
+    push, translate, pop, enable, lighting = (
+        gl.glPushMatrix,
+        gl.glTranslatef,
+        gl.glPopMatrix,
+        gl.glEnable,
+        gl.GL_LIGHTING,
+    )
     bodies: dict[str, tuple[Callable[[], Any], bool]] = {
         "glVertex3f with glEnd": (lambda: [vertex(0.1, 0.2, 0.3) for _ in loop], True),
         "glVertex3fv with glEnd": (lambda: [vertexv(point) for _ in loop], True),
@@ -191,7 +197,7 @@ def main() -> None:
     parser.add_argument("--child", choices=OPEN, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.child:
-        gl, keep = OPEN[options.child]()
+        gl, _context = OPEN[options.child]()
         print(json.dumps({**calls(gl), **spheres(gl), **cubes(gl)}))
         return
     rounds: dict[str, list[dict[str, float]]] = {name: [] for name in OPEN}
@@ -201,7 +207,8 @@ def main() -> None:
             done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
             rounds[name].append(json.loads(done.stdout.splitlines()[-1]))
     table = {
-        entry: {name: statistics.median(r[entry] for r in rounds[name]) for name in OPEN} for entry in rounds["glsim"][0]
+        entry: {name: statistics.median(r[entry] for r in rounds[name]) for name in OPEN}
+        for entry in rounds["glsim"][0]
     }
     if options.json:
         print(json.dumps(table, indent=1))

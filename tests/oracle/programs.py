@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from glsim.gl import *  # noqa: F403
+from glsim.gl import *
 from glsim.gl import GLfloat
 
 PROGRAMS: dict[str, Callable[[], None]] = {}

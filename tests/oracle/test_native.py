@@ -37,6 +37,9 @@ def test_program(name: str, screen: glsim.Offscreen, native: Native) -> None:
 def test_the_comparison_can_fail(screen: glsim.Offscreen, native: Native) -> None:
     with capture(calls=True) as frame:
         PROGRAMS["light_default"]()
-    other = [call._replace(arguments=(call.arguments[0], 0.1, *call.arguments[2:])) if call.name == "glVertex3f" else call for call in frame.calls]
+    other = [
+        call._replace(arguments=(call.arguments[0], 0.1, *call.arguments[2:])) if call.name == "glVertex3f" else call
+        for call in frame.calls
+    ]
     assert measure(screen.pixels(), native.replay(other)).coverage > 0
     assert np.any(screen.pixels())
