@@ -2,8 +2,9 @@
 
 Flat shading takes a primitive's colour from its provoking vertex.  The GPU takes the LAST vertex of a triangle or
 line, so the index patterns put OpenGL's provoking vertex last: the last of a triangle, the fourth of a quad, the
-first of a polygon (table 2.12).  A smooth quad is split along v0-v2, as rasterisers do; a flat one along v1-v3, where
-both triangles can end in the fourth vertex.
+first of a polygon (table 2.12).  How a quad is cut into triangles is not specified.  Here it is as Mesa does it: along
+v0-v2, but along v1-v3 under flat shading, where both triangles must end in the fourth vertex, in glDrawElements, and
+under two-sided lighting.
 """
 
 from __future__ import annotations
@@ -59,18 +60,19 @@ def complete(mode: int, count: int) -> int:
     return 0 if count < least else count - (count - least) % step
 
 
-def assemble(mode: int, count: int, flat: bool) -> Indices | None:
+def assemble(mode: int, count: int, last: bool) -> Indices | None:
     """Vertex numbers of the triangles (three each), lines (two) or points that ``count`` vertices make.
 
-    None means 0, 1, 2, ... (nothing to rearrange).  ``flat``: the colour comes from the provoking vertex.
+    None means 0, 1, 2, ... (nothing to rearrange).  ``last``: both triangles of a quad end in its fourth vertex, the
+    provoking one.
     """
     if mode in (GL_POINTS, GL_LINES, GL_TRIANGLES):
         return None
     pattern = _small_pattern if count <= 4096 else _pattern
-    return pattern(mode, complete(mode, count), flat)
+    return pattern(mode, complete(mode, count), last)
 
 
-def _pattern(mode: int, count: int, flat: bool) -> Indices:
+def _pattern(mode: int, count: int, last: bool) -> Indices:
     if count == 0:
         return np.empty(0, np.uint32)
     i = np.arange(count, dtype=np.uint32)
@@ -88,11 +90,9 @@ def _pattern(mode: int, count: int, flat: bool) -> Indices:
         return _pack(i[1:-1], i[2:], np.zeros_like(i[1:-1]))
     k = i[::4] if mode == GL_QUADS else i[:-2:2]
     a, b, c, d = (k, k + 1, k + 2, k + 3) if mode == GL_QUADS else (k, k + 1, k + 3, k + 2)
-    if not flat:
-        return _pack(a, b, c, a, c, d)
-    if mode == GL_QUADS:
-        return _pack(a, b, d, b, c, d)
-    return _pack(a, b, c, d, a, c)  # quad strip: the provoking vertex is 2i + 4, here c
+    if mode == GL_QUAD_STRIP:
+        return _pack(a, b, c, d, a, c)  # the provoking vertex is 2i + 4, here c
+    return _pack(a, b, d, b, c, d) if last else _pack(a, b, c, a, c, d)
 
 
 _small_pattern = lru_cache(maxsize=512)(_pattern)
@@ -116,7 +116,7 @@ def edges(mode: int, count: int) -> Indices:
         a = i[:-2:2]
         ring = (a, a + 1, a + 3, a + 2)
     else:
-        triangles = assemble(mode, count, False)
+        triangles = assemble(mode, count, last=False)
         a, b, c = (i if triangles is None else triangles).reshape(-1, 3).T
         return _pack(a, b, b, c, c, a)
     return _pack(ring[0], ring[1], ring[1], ring[2], ring[2], ring[3], ring[3], ring[0])

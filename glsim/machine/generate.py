@@ -67,7 +67,6 @@ def _misuse(name: str, arguments: tuple[Any, ...], error: Exception) -> Exceptio
                 Struct(f"{len(value)}f").pack(*value)
             except BAD:
                 return TypeError(f"{name}: the current {what} (gl{what.title()}) is not made of numbers: {value!r}")
-        return ValueError(f"{name}{arguments}: these numbers do not fit a 32-bit float")
     return found
 '''
 

@@ -106,8 +106,7 @@ def separate(draw: Draw, limit: int) -> list[Draw]:
     if len(changes) < limit or len({material for _, material in changes}) < limit:
         return [draw]
     size = corners(draw.mode)
-    flat = draw.state.lighting.shade_model == GL_FLAT
-    chosen = _assembled(draw, draw.first, draw.count, flat)
+    chosen = _assembled(draw, draw.first, draw.count)
     old = draw.vertices
     firsts = np.array([vertex for vertex, _ in changes])
     materials = [draw.material, *(material for _, material in changes)]
@@ -148,7 +147,6 @@ def _rows(spans: list[tuple[int, int, int]], count: int) -> Uint32:
 
 def _indices(batch: Batch) -> Uint32:
     """The vertices of the batch's primitives, in order; runs of Draws that share no vertices are assembled at once."""
-    flat = batch.state.lighting.shade_model == GL_FLAT
     parts: list[Uint32] = []
     draws = batch.draws
     k = 0
@@ -160,7 +158,7 @@ def _indices(batch: Batch) -> Uint32:
             while k < len(draws) and _continues(draws[k], draw.mode, end):
                 end += draws[k].count
                 k += 1
-        parts.append(_assembled(draw, first, end - first, flat))
+        parts.append(_assembled(draw, first, end - first))
     return parts[0] if len(parts) == 1 else np.concatenate(parts)
 
 
@@ -169,12 +167,14 @@ def _continues(draw: Draw, mode: int, end: int) -> bool:
     return draw.mode == mode and draw.indices is None and draw.first == end and whole
 
 
-def _assembled(draw: Draw, first: int, count: int, flat: bool) -> Uint32:
+def _assembled(draw: Draw, first: int, count: int) -> Uint32:
+    lighting = draw.state.lighting
+    last = lighting.shade_model == GL_FLAT or (lighting.enabled and lighting.two_side) or draw.indices is not None
     if draw.indices is None:
-        pattern = assemble(draw.mode, count, flat)
+        pattern = assemble(draw.mode, count, last)
         if pattern is None:
             return np.arange(first, first + complete(draw.mode, count), dtype=np.uint32)
         return pattern + np.uint32(first)
-    pattern = assemble(draw.mode, len(draw.indices), flat)
+    pattern = assemble(draw.mode, len(draw.indices), last)
     chosen = draw.indices[: complete(draw.mode, len(draw.indices))] if pattern is None else draw.indices[pattern]
     return chosen + np.uint32(first)

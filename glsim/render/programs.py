@@ -144,20 +144,24 @@ INCLUDE = re.compile(r'^#include "([\w.]+)"$')
 
 @lru_cache(maxsize=16)
 def expand(name: str) -> tuple[str, tuple[str, ...]]:
-    """The text of shaders/NAME with its includes, each file once, and the file names that #line numbers stand for."""
+    """The text of shaders/NAME with its includes, each file once, and the names of the files in it.
+
+    Line L of file number K is numbered 1000 K + L: drivers keep #line's line number in their messages, but not all
+    of them its file number.
+    """
     files: list[str] = []
 
     def read(name: str) -> list[str]:
         number = len(files) + 1  # 0 is the printed constants
         files.append(name)
-        lines = [f"#line 1 {number}"]
+        lines = [f"#line {1000 * number + 1}"]
         path = data_folder("shaders") / name
         for position, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             found = INCLUDE.match(line)
             if not found:
                 lines.append(line)
             elif found[1] not in files:
-                lines += [*read(found[1]), f"#line {position + 1} {number}"]
+                lines += [*read(found[1]), f"#line {1000 * number + position + 1}"]
             else:
                 lines.append("")
         return lines
@@ -195,12 +199,12 @@ class ShaderError(Exception):
 
 
 def _with_file_names(message: str) -> str:
-    """'2:7(5): error' or '2(7) : error' -> 'state.glsl:7: error': #line's file numbers become names again."""
+    """'0:2007(5): error' or '0(2007) : error' -> 'state.glsl:7: error': #line's numbers become files again."""
     name = "main.frag" if "fragment_shader" in message or "fragment shader" in message.lower() else "main.vert"
     files = expand(name)[1]
 
     def replace(found: re.Match[str]) -> str:
-        number = int(found[1])
-        return f"{files[number]}:{found[2]}:" if number < len(files) else found[0]
+        number, line = divmod(int(found[1]), 1000)
+        return f"{files[number]}:{line}:" if number < len(files) else found[0]
 
-    return re.sub(r"^(\d+)[:(](\d+)(?:\(\d+\)|\))?\s*:", replace, message, flags=re.MULTILINE)
+    return re.sub(r"^\d+[:(](\d+)(?:\(\d+\)|\))?\s*:", replace, message, flags=re.MULTILINE)

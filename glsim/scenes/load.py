@@ -29,7 +29,7 @@ def load(path: str | Path) -> list[Mesh]:
     import trimesh
 
     try:
-        scene = trimesh.load_scene(path)
+        scene = trimesh.load_scene(path, process=False)
         geometries = [g for g in scene.dump() if isinstance(g, trimesh.Trimesh) and len(g.faces)]
     except Exception as error:  # whatever the reader of this format trips over
         kind = path.suffix.lstrip(".").upper() or "mesh"

@@ -74,19 +74,19 @@ def unit(vectors: NDArray[Any]) -> NDArray[Any]:
 def with_normals(positions: NDArray[np.floating], triangles: Uint, crease: float = 40.0) -> Mesh:
     """A mesh with generated normals, for positions (n, 3) and triangles (m, 3).
 
-    A corner gets the area-weighted mean of the normals of all triangles at its position, or, where that differs from
-    its own triangle's by more than ``crease`` degrees, its own triangle's: smooth surfaces are smooth, the edges of
-    a box stay sharp.
+    A corner gets the mean of the normals of all triangles at its position, weighted with their angles there (Thuermer
+    and Wuethrich, 1998), or, where that differs from its own triangle's normal by more than ``crease`` degrees, its
+    own triangle's: smooth surfaces are smooth, the edges of a box stay sharp.
     """
     corners = positions[triangles].astype(np.float64)
-    areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])  # length: twice the area
+    own = unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+    to_next, to_last = (unit(np.roll(corners, shift, axis=1) - corners) for shift in (-1, 1))
+    angles = np.arccos(np.clip(np.einsum("mck,mck->mc", to_next, to_last), -1, 1))
     _, place = np.unique(positions.astype(np.float32), axis=0, return_inverse=True)
     place = place.reshape(-1)[triangles.astype(np.int64)]  # (m, 3): number of the position of each corner
     count = int(place.max(initial=-1)) + 1
-    sums = np.stack(
-        [np.bincount(place.ravel(), np.repeat(areas[:, axis], 3), minlength=count) for axis in range(3)], axis=1
-    )
-    own = unit(areas)
+    weighted = angles[:, :, None] * own[:, None, :]
+    sums = np.stack([np.bincount(place.ravel(), weighted[..., k].ravel(), minlength=count) for k in range(3)], axis=1)
     smooth = unit(sums)[place]  # (m, 3 corners, 3)
     sharp = np.einsum("mck,mk->mc", smooth, own) < np.cos(np.radians(crease))
     normals = np.where(sharp[..., None], own[:, None, :], smooth)

@@ -111,7 +111,7 @@ def _patch(control: Array, t: Array) -> Mesh:
     dv = np.einsum("ia,jb,abk->ijk", bi, di, control)
     normals = unit(np.cross(dv, du))
     y_up = np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]]) / 1.5
-    return grid((points - (0, 0, 1.575)) @ y_up.T, normals @ (1.5 * y_up).T)
+    return grid(((points - (0, 0, 1.575)) @ y_up.T)[:, ::-1], (normals @ (1.5 * y_up).T)[:, ::-1])
 
 
 # Martin Newell's control points (1975) in the reduced form that GLUT ships: rim, body (2), lid (2), bottom,
