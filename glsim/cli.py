@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command; returns its exit code."""
-    options = _parser().parse_args(arguments)
+    options = _parser().parse_args(_with_negative_numbers(sys.argv[1:] if arguments is None else arguments))
     try:
         return int(options.run(options))
     except KeyboardInterrupt:
@@ -29,6 +29,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         else:
             print(f"glsim: {error}", file=sys.stderr)
         return 1
+
+
+def _with_negative_numbers(words: Sequence[str]) -> list[str]:
+    """ "--light", "-2,3,4" -> "--light=-2,3,4": argparse would take -2,3,4 for an option."""
+    joined: list[str] = []
+    for word in words:
+        if joined and joined[-1] in ("--light", "--camera") and word[:1] == "-" and word[1:2].isdigit():
+            joined[-1] += "=" + word
+        else:
+            joined.append(word)
+    return joined
 
 
 def _parser() -> argparse.ArgumentParser:

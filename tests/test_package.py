@@ -1,0 +1,107 @@
+"""What is shipped: the wheel, the lessons, the README, quick imports."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import sysconfig
+import tarfile
+import zipfile
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+ROOT = Path(__file__).resolve().parent.parent
+
+pytestmark = pytest.mark.skipif(not (ROOT / "pyproject.toml").exists(), reason="needs a checkout")
+
+
+def run(*command: str, cwd: Path | None = None, **environment: str) -> subprocess.CompletedProcess[str]:
+    done = subprocess.run(
+        command, cwd=cwd, env={**os.environ, **environment}, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr + done.stdout
+    return done
+
+
+@pytest.fixture(scope="module")
+def dist(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """sdist, and the wheel built from the sdist."""
+    folder = tmp_path_factory.mktemp("dist")
+    run(sys.executable, "-m", "build", "--no-isolation", "--outdir", str(folder), str(ROOT))
+    return folder
+
+
+def test_the_wheel_has_shaders_and_lessons_and_nothing_else(dist: Path) -> None:
+    with zipfile.ZipFile(next(dist.glob("*.whl"))) as wheel:
+        names = wheel.namelist()
+    for kind in ("shaders", "lessons"):
+        for path in (ROOT / kind).iterdir():
+            assert path.is_dir() or f"glsim/{kind}/{path.name}" in names
+    assert "glsim/gl/__init__.pyi" in names
+    assert not [name for name in names if not name.startswith(("glsim/", "glsim-"))]
+    with tarfile.open(next(dist.glob("*.tar.gz"))) as sdist:
+        inside = {name.split("/")[1] for name in sdist.getnames() if "/" in name}
+    assert {"glsim", "shaders", "lessons", "tests", "README.md", "LICENSE", "pyproject.toml"} <= inside
+
+
+def test_the_wheel_draws_from_a_clean_environment(dist: Path, tmp_path: Path) -> None:
+    """The dependencies are lent by this environment; glsim itself comes from the wheel alone."""
+    run(sys.executable, "-m", "venv", str(tmp_path / "venv"))
+    python = str(tmp_path / "venv" / "bin" / "python")
+    run(python, "-m", "pip", "install", "-q", "--no-deps", str(next(dist.glob("*.whl"))))
+    purelib = Path(run(python, "-c", "import sysconfig; print(sysconfig.get_paths()['purelib'])").stdout.strip())
+    (purelib / "lent.pth").write_text(sysconfig.get_paths()["purelib"] + "\n")
+    where = run(python, "-c", "import glsim; print(glsim.__file__)", cwd=tmp_path, PYTHONPATH="").stdout.strip()
+    assert where.startswith(str(tmp_path))
+    command = str(tmp_path / "venv" / "bin" / "glsim")
+    run(command, "compare", "sphere", "--size", "32", "-o", "sheet.png", cwd=tmp_path, PYTHONPATH="")
+    assert (tmp_path / "sheet.png").stat().st_size > 1000
+
+
+@pytest.mark.parametrize("lesson", sorted((ROOT / "lessons").glob("*.py")), ids=lambda path: path.stem)
+def test_lessons_run_and_say_what_you_see(lesson: Path, tmp_path: Path) -> None:
+    text = lesson.read_text()
+    assert "You see:" in text
+    run(sys.executable, str(lesson), cwd=tmp_path, PYTHONPATH=str(ROOT))
+    with Image.open(tmp_path / f"{lesson.stem}.png") as picture:
+        assert len(picture.convert("RGB").getcolors(1 << 20)) > 50
+
+
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"^```{language}\n(.*?)^```", (ROOT / "README.md").read_text(), re.MULTILINE | re.DOTALL)
+
+
+@pytest.mark.parametrize("program", blocks("python"))
+def test_python_of_the_readme(program: str, tmp_path: Path) -> None:
+    run(sys.executable, "-c", program, cwd=tmp_path, PYTHONPATH=str(ROOT))
+    assert list(tmp_path.glob("*.png"))
+
+
+def test_glsim_commands_of_the_readme(tmp_path: Path) -> None:
+    commands = [line for block in blocks("sh") for line in block.splitlines() if line.startswith("glsim ")]
+    assert len(commands) >= 3
+    for command in commands:
+        run(sys.executable, "-m", "glsim", *command.split()[1:], cwd=tmp_path, PYTHONPATH=str(ROOT))
+
+
+def test_the_readmes_number_of_programs() -> None:
+    from tests.oracle.programs import PROGRAMS
+
+    found = re.search(r"draws (\d+) programs", (ROOT / "README.md").read_text())
+    assert found
+    assert int(found[1]) == len(PROGRAMS)
+
+
+def test_imports_are_lazy() -> None:
+    heavy = "{'numpy', 'moderngl', 'trimesh', 'scipy', 'rich', 'PIL', 'OpenGL'}"
+    code = f"import sys, glsim; print({heavy} & set(sys.modules))"
+    assert run(sys.executable, "-c", code).stdout.strip() == "set()"
+    code = f"import sys, glsim\nfrom glsim.gl import *\ns = glsim.offscreen(8, 8)\nprint({heavy} & set(sys.modules))"
+    assert set(eval(run(sys.executable, "-c", code).stdout)) == {"numpy", "moderngl"}
+    code = "import sys\nfrom glsim.cli import main\ntry: main(['--help'])\nexcept SystemExit: pass\n"
+    code += f"print({heavy} & set(sys.modules))"
+    assert run(sys.executable, "-c", code).stdout.splitlines()[-1] == "set()"
