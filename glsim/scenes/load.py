@@ -31,6 +31,8 @@ def load(path: str | Path) -> list[Mesh]:
     try:
         scene = trimesh.load_scene(path, process=False)
         geometries = [g for g in scene.dump() if isinstance(g, trimesh.Trimesh) and len(g.faces)]
+    except ImportError as error:
+        raise MeshError(f"{path}: reading this kind of file needs a package more: pip install {error.name}") from error
     except Exception as error:  # whatever the reader of this format trips over
         kind = path.suffix.lstrip(".").upper() or "mesh"
         raise MeshError(
