@@ -38,23 +38,22 @@ class NoDeviceError(RuntimeError):
         super().__init__("no OpenGL context could be opened. Tried:\n" + "\n".join(lines))
 
 
-def _glcontext(backend: str, **settings: Any) -> Any:
+def _glcontext(**settings: Any) -> Any:
     import glcontext
 
-    create = glcontext.get_backend_by_name("egl") if backend == "egl" else glcontext.default_backend()
-    return create(mode="standalone", glversion=330, **settings)
+    return glcontext.default_backend()(mode="standalone", glversion=330, **settings)
 
 
 def _egl(device: int | None) -> Any:
-    return _glcontext(
-        "egl", libgl="libGL.so.1", libegl="libEGL.so.1", **({} if device is None else {"device_index": device})
-    )
+    from glsim.render.egl import EGLLoader
+
+    return EGLLoader(core=True, device=device)
 
 
 def _x11(device: int | None) -> Any:
     if not os.environ.get("DISPLAY"):
         raise RuntimeError("DISPLAY is not set")
-    return _glcontext("x11", libgl="libGL.so.1", libx11="libX11.so.6")
+    return _glcontext(libgl="libGL.so.1", libx11="libX11.so.6")
 
 
 def _osmesa(device: int | None) -> Any:
@@ -64,7 +63,7 @@ def _osmesa(device: int | None) -> Any:
 
 
 def _native(device: int | None) -> Any:
-    return _glcontext("native")
+    return _glcontext()
 
 
 BACKENDS: dict[str, Callable[[int | None], Any]] = {"egl": _egl, "osmesa": _osmesa, "x11": _x11, "native": _native}

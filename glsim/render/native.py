@@ -26,6 +26,7 @@ from glsim.machine.constants import (
 )
 from glsim.machine.frame import Call
 from glsim.render.device import one_line
+from glsim.render.egl import EGLLoader
 from glsim.render.osmesa import OSMesaLoader
 
 C_TYPES: dict[str, Any] = {
@@ -45,81 +46,15 @@ class NoNativeError(RuntimeError):
     """This platform has no fixed function that can be reached without a window."""
 
 
-class _EGL:
-    """A compatibility context on a pbuffer, made with libEGL through ctypes."""
-
-    SURFACELESS, DEVICE = 0x31DD, 0x313F
-    CONFIG = (0x3033, 0x0001, 0x3040, 0x0008, 0x3024, 8, 0x3023, 8, 0x3022, 8, 0x3021, 8, 0x3025, 24, 0x3026, 8, 0x3038)
-
-    def __init__(self, width: int, height: int) -> None:
-        self.egl = ctypes.CDLL("libEGL.so.1")
-        for name in ("eglGetProcAddress", "eglGetDisplay", "eglCreatePbufferSurface", "eglCreateContext"):
-            getattr(self.egl, name).restype = ctypes.c_void_p
-        self.egl.eglGetProcAddress.argtypes = [ctypes.c_char_p]
-        self.display = ctypes.c_void_p(self._open_display())
-        config, count = ctypes.c_void_p(), ctypes.c_int()
-        wanted = (ctypes.c_int * len(self.CONFIG))(*self.CONFIG)
-        self.egl.eglBindAPI(0x30A2)  # EGL_OPENGL_API
-        self.egl.eglChooseConfig(self.display, wanted, ctypes.byref(config), 1, ctypes.byref(count))
-        if not count.value:
-            raise NoNativeError("EGL has no configuration with desktop OpenGL and a pbuffer")
-        size = (ctypes.c_int * 5)(0x3057, width, 0x3056, height, 0x3038)
-        self.surface = ctypes.c_void_p(self.egl.eglCreatePbufferSurface(self.display, config, size))
-        nothing = (ctypes.c_int * 1)(0x3038)
-        self.context = ctypes.c_void_p(self.egl.eglCreateContext(self.display, config, None, nothing))
-        if not self.surface or not self.context:
-            raise NoNativeError("EGL made no compatibility context")
-        self.make_current()
-
-    def _open_display(self) -> int:
-        get = self.egl.eglGetProcAddress(b"eglGetPlatformDisplayEXT")
-        platform = (
-            ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_uint, ctypes.c_void_p, ctypes.c_void_p)(get) if get else None
-        )
-        candidates = [platform(self.SURFACELESS, None, None)] if platform else []
-        query = self.egl.eglGetProcAddress(b"eglQueryDevicesEXT")
-        if platform and query:
-            devices, count = (ctypes.c_void_p * 16)(), ctypes.c_int()
-            kind = ctypes.CFUNCTYPE(ctypes.c_uint, ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)
-            kind(query)(16, devices, ctypes.byref(count))
-            candidates += [platform(self.DEVICE, device, None) for device in devices[: count.value]]
-        for display in candidates:
-            if display and self.egl.eglInitialize(ctypes.c_void_p(display), None, None):
-                return int(display)
-        raise NoNativeError("EGL has no surfaceless display")
-
-    def make_current(self) -> None:
-        self.egl.eglBindAPI(0x30A2)
-        if not self.egl.eglMakeCurrent(self.display, self.surface, self.surface, self.context):
-            raise NoNativeError("eglMakeCurrent failed")
-
-    def load(self, name: str) -> int:
-        return self.egl.eglGetProcAddress(name.encode()) or 0
-
-    def release_current(self) -> None:
-        self.egl.eglMakeCurrent(self.display, None, None, None)
-
-    def release(self) -> None:
-        self.release_current()
-        self.egl.eglDestroySurface(self.display, self.surface)
-        self.egl.eglDestroyContext(self.display, self.context)
-
-
-def _osmesa(width: int, height: int) -> Any:
-    loader = OSMesaLoader(core=False, width=width, height=height)
-    loader.release_current = lambda: loader.library.OSMesaMakeCurrent(None, None, 0, 0, 0)  # type: ignore[attr-defined]
-    return loader
-
-
 class Native:
     """A context with the driver's fixed function, of a given size.  Raises NoNativeError if there is none."""
 
     def __init__(self, width: int, height: int) -> None:
         self.width, self.height = width, height
         said = []
-        for name, make in (("egl", _EGL), ("osmesa", _osmesa)):
+        for name, make in (("egl", EGLLoader), ("osmesa", OSMesaLoader)):
             try:
-                self.loader: Any = make(width, height)
+                self.loader: Any = make(core=False, width=width, height=height)
             except Exception as error:
                 said.append(f"{name}: {one_line(error)}")
                 continue

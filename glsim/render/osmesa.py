@@ -69,6 +69,9 @@ class OSMesaLoader:
     def __exit__(self, *exception: Any) -> None:
         pass
 
+    def release_current(self) -> None:
+        self.library.OSMesaMakeCurrent(None, None, 0, 0, 0)
+
     def release(self) -> None:
         if self.context:
             self.library.OSMesaDestroyContext.argtypes = [ctypes.c_void_p]
