@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from glsim.machine.state import BLACK, Color, Face
-from glsim.scenes.mesh import Mesh, unit, with_normals
+from glsim.scenes.mesh import Mesh, area_vectors, blocks, unit, with_normals
 
 READ = (".glb", ".gltf", ".obj", ".off", ".ply", ".stl", ".3mf", ".dae", ".xyz")
 
@@ -48,19 +48,21 @@ def convert(geometry: Any, name: str) -> Mesh:
     """A trimesh.Trimesh as a Mesh.  Raises MeshError if it has no usable triangle."""
     positions = np.asarray(geometry.vertices, np.float64)
     triangles = np.asarray(geometry.faces, np.uint32)
-    used = positions[triangles.astype(np.int64)]
-    broken = ~np.isfinite(used).all(axis=(1, 2))
-    if broken.any():
+    area = np.concatenate(
+        [np.linalg.norm(area_vectors(positions, triangles[block]), axis=1) for block in blocks(triangles)]
+    )
+    broken = int((~np.isfinite(area)).sum())
+    if broken:
         raise MeshError(
-            f"{name}: {int(broken.sum())} of {len(triangles)} triangles have NaN or infinite coordinates; mend the file"
+            f"{name}: {broken} of {len(triangles)} triangles have NaN or infinite coordinates; mend the file"
         )
-    area = np.linalg.norm(np.cross(used[:, 1] - used[:, 0], used[:, 2] - used[:, 0]), axis=1)
     if not (area > 0.0).any():
         raise MeshError(f"{name}: all {len(triangles)} triangles are degenerate (they have no area)")
-    triangles = triangles[area > 0.0]
+    whole = area > 0.0
+    triangles = triangles[whole]
     colors = _colors(geometry)
     if colors is not None and len(colors) == len(geometry.faces) and len(colors) != len(positions):
-        colors = np.repeat(colors[area > 0.0], 3, axis=0)
+        colors = np.repeat(colors[whole], 3, axis=0)
         positions, triangles = (
             positions[triangles].reshape(-1, 3),
             np.arange(triangles.size, dtype=np.uint32).reshape(-1, 3),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -71,35 +72,53 @@ def unit(vectors: NDArray[Any]) -> NDArray[Any]:
     return vectors / np.where(length > 0.0, length, 1.0)
 
 
-def with_normals(positions: NDArray[np.floating], triangles: Uint, crease: float = 40.0) -> Mesh:
+BLOCK = 1 << 19  # triangles worked on at a time, so that a mesh of millions needs little more memory than itself
+
+
+def blocks(triangles: Uint) -> Iterator[slice]:
+    return (slice(first, first + BLOCK) for first in range(0, len(triangles), BLOCK))
+
+
+def area_vectors(positions: NDArray[Any], triangles: Uint) -> NDArray[Any]:
+    """Normals of triangles (m, 3) as long as twice their areas: (m, 3) float64."""
+    a, b, c = (positions[triangles[:, k]].astype(np.float64) for k in range(3))
+    return np.cross(b - a, c - a)
+
+
+def with_normals(positions: NDArray[Any], triangles: Uint, crease: float = 40.0) -> Mesh:
     """A mesh with generated normals, for positions (n, 3) and triangles (m, 3).
 
     A corner gets the mean of the normals of all triangles at its position, weighted with their angles there (Thuermer
     and Wuethrich, 1998), or, where that differs from its own triangle's normal by more than ``crease`` degrees, its
     own triangle's: smooth surfaces are smooth, the edges of a box stay sharp.
     """
-    corners = positions[triangles].astype(np.float64)
-    own = unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
-    to_next, to_last = (unit(np.roll(corners, shift, axis=1) - corners) for shift in (-1, 1))
-    angles = np.arccos(np.clip(np.einsum("mck,mck->mc", to_next, to_last), -1, 1))
-    _, place = np.unique(positions.astype(np.float32), axis=0, return_inverse=True)
-    place = place.reshape(-1)[triangles.astype(np.int64)]  # (m, 3): number of the position of each corner
-    count = int(place.max(initial=-1)) + 1
-    weighted = angles[:, :, None] * own[:, None, :]
-    sums = np.stack([np.bincount(place.ravel(), weighted[..., k].ravel(), minlength=count) for k in range(3)], axis=1)
-    smooth = unit(sums)[place]  # (m, 3 corners, 3)
-    sharp = np.einsum("mck,mk->mc", smooth, own) < np.cos(np.radians(crease))
-    normals = np.where(sharp[..., None], own[:, None, :], smooth)
-    if not sharp.any():
-        vertex_normals = np.zeros(positions.shape)
-        vertex_normals[triangles] = smooth
-        return Mesh(positions.astype(np.float32), vertex_normals.astype(np.float32), triangles, _no_quads())
-    return Mesh(
-        corners.reshape(-1, 3).astype(np.float32),
-        normals.reshape(-1, 3).astype(np.float32),
-        np.arange(3 * len(triangles), dtype=np.uint32).reshape(-1, 3),
-        _no_quads(),
-    )
+    positions = positions.astype(np.float32)
+    _, place = np.unique(positions.view(np.dtype((np.void, 12))).ravel(), return_inverse=True)
+    place = place.reshape(-1)  # vertices at one position have one number
+    sums = np.zeros((int(place.max(initial=-1)) + 1, 3))
+    for block in blocks(triangles):
+        corners = positions[triangles[block]].astype(np.float64)
+        own = unit(area_vectors(positions, triangles[block]))
+        to_next, to_last = (unit(np.roll(corners, shift, axis=1) - corners) for shift in (-1, 1))
+        angles = np.arccos(np.clip(np.einsum("mck,mck->mc", to_next, to_last), -1, 1))
+        for corner in range(3):
+            where, weighted = place[triangles[block, corner]], angles[:, corner, None] * own
+            for axis in range(3):
+                sums[:, axis] += np.bincount(where, weighted[:, axis], minlength=len(sums))
+    smooth = unit(sums).astype(np.float32)[place]  # (n, 3)
+    limit = np.cos(np.radians(crease))
+    corner_normals = np.empty((len(triangles), 3, 3), np.float32)
+    any_sharp = False
+    for block in blocks(triangles):
+        own = unit(area_vectors(positions, triangles[block])).astype(np.float32)
+        mean = smooth[triangles[block]]
+        sharp = np.einsum("mck,mk->mc", mean, own) < limit
+        corner_normals[block] = np.where(sharp[..., None], own[:, None, :], mean)
+        any_sharp |= bool(sharp.any())
+    if not any_sharp:
+        return Mesh(positions, smooth, triangles, _no_quads())
+    order = np.arange(triangles.size, dtype=np.uint32).reshape(-1, 3)
+    return Mesh(positions[triangles.ravel()], corner_normals.reshape(-1, 3), order, _no_quads())
 
 
 def _no_quads() -> Uint:
