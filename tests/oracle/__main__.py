@@ -20,6 +20,7 @@ for name, draw in PROGRAMS.items():
     rows.append(found)
     print(f"{name:45} {found.coverage:8} {found.worst:6} {found.mean:7.4f} {100 * found.within_1:9.3f} %")
 print(
-    f"{len(rows)} programs: {sum(r.coverage for r in rows)} pixels covered by one only, worst {max(r.worst for r in rows)},"
+    f"{len(rows)} programs: {sum(r.coverage for r in rows)} pixels covered by one only,"
+    f" worst {max(r.worst for r in rows)},"
     f" mean {sum(r.mean for r in rows) / len(rows):.5f}, {sum(r.worst == 0 for r in rows)} identical"
 )
