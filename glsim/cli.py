@@ -121,23 +121,26 @@ def _compare(options: argparse.Namespace) -> int:
     if not options.scene:
         print("glsim compare: name a scene or a mesh file; --list shows the built-in scenes", file=sys.stderr)
         return 2
+    from rich.console import Console
+
     from glsim.study.compare import compare
 
-    result = compare(
-        options.scene,
-        modes=options.modes.split(","),
-        lobes=options.lobe.split(","),
-        size=options.size,
-        lights=options.light,
-        material=options.material,
-        camera=options.camera,
-    )
+    with Console(stderr=True).status("") as status:
+        result = compare(
+            options.scene,
+            modes=options.modes.split(","),
+            lobes=options.lobe.split(","),
+            size=options.size,
+            lights=options.light,
+            material=options.material,
+            camera=options.camera,
+            progress=status.update,
+        )
     result.save(options.output)
     rows = result.statistics()
     if options.json:
         print(json.dumps({"status": "ok", "scene": result.title, "output": options.output, "differences": rows}))
         return 0
-    from rich.console import Console
     from rich.table import Table
 
     table = Table(title=f"{result.title}: difference from {result.modes[0]}, in 1/255")

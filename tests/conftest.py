@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 
 import pytest
@@ -32,6 +33,8 @@ def native() -> Iterator[Native]:
     try:
         oracle = Native(SIZE, SIZE)
     except NoNativeError as error:
+        if os.environ.get("CI"):
+            raise  # there the comparison must be made
         pytest.skip(f"no fixed function to compare with: {error}")
     yield oracle
     oracle.release()

@@ -98,6 +98,7 @@ def compare(
     material: str | None = None,
     camera: Camera | None = None,
     backend: str = "auto",
+    progress: Callable[[str], object] | None = None,
 ) -> Comparison:
     """Draw ``what`` once for each shading mode and specular lobe.
 
@@ -106,6 +107,7 @@ def compare(
     modes: of "flat", "gouraud", "phong", "wireframe", "unlit", "native" (the driver's own fixed function).
     lobes: "blinn" and/or "phong".  size: of each picture, in pixels.
     lights, material, camera: instead of the scene's own; not for a function, which sets its own.
+    progress: called with what is being done, for work that takes long.
 
     Raises ValueError for an unknown mode, lobe or material, MeshError for a file that cannot be drawn, NoNativeError
     if "native" is asked for and the platform has none.
@@ -114,6 +116,8 @@ def compare(
         unknown = [name for name in given if name not in known]
         if unknown or not given:
             raise ValueError(f"compare: {kind}s are {', '.join(known)}, not {', '.join(unknown) or 'none'}")
+    tell = progress or (lambda words: None)
+    tell("reading the scene")
     title, draw = _drawer(what, size, lights, material, camera)
     from glsim.machine.current import current_machine, make_current
     from glsim.machine.machine import Machine
@@ -124,7 +128,11 @@ def compare(
     try:
         with capture(calls="native" in modes) as frame:
             draw()
-        images = {(lobe, mode): _picture(screen, frame, mode, lobe) for lobe in lobes for mode in modes}
+        images = {}
+        for lobe in lobes:
+            for mode in modes:
+                tell(f"drawing {MODES[mode]}, {LOBES[lobe]}")
+                images[lobe, mode] = _picture(screen, frame, mode, lobe)
     finally:
         screen.release()
         make_current(before if isinstance(before, Machine) else None)
