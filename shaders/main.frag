@@ -4,6 +4,9 @@
 #include "state.glsl"
 #include "material.glsl"
 #include "light.glsl"
+#include "raster.glsl"
+#include "fog.glsl"
+#include "tests.glsl"
 
 SHADED in vec4 front_color;
 SHADED in vec3 front_highlight;
@@ -13,13 +16,18 @@ SHADED in vec3 back_highlight;
 in vec3 eye_position;
 in vec3 eye_normal;
 in vec4 vertex_color;
+in float fog_distance;
+noperspective in float along_line;
 flat in uint object_row;
 
 out vec4 fragment_color;
 
 void main()
 {
-    bool back = TWO_SIDE && !gl_FrontFacing;
+    if (LINE_STIPPLE && !line_pattern(along_line)) discard;
+    if (POLYGON_STIPPLE && !polygon_pattern(gl_FragCoord.xy)) discard;
+
+    bool back = TWO_SIDE && AREAS && !gl_FrontFacing;
     vec4 color = back ? back_color : front_color;
     vec3 highlight = back ? back_highlight : front_highlight;
 
@@ -30,6 +38,8 @@ void main()
         else shade(track(material.front, vertex_color, FRONT_TRACKS), N, eye_position, color, highlight);
     }
 
-    if (SEPARATE_SPECULAR) color.rgb = min(color.rgb + highlight, 1.0);
+    if (SEPARATE_SPECULAR || COLOR_SUM) color.rgb = min(color.rgb + highlight, 1.0);
+    if (FOG != FOG_OFF) color.rgb = mix(fog_color.rgb, color.rgb, fog_factor(fog_distance));
+    if (!alpha_test(color.a)) discard;
     fragment_color = color;
 }

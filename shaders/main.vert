@@ -6,13 +6,20 @@
 #include "state.glsl"
 #include "material.glsl"
 #include "light.glsl"
+#include "raster.glsl"
+#include "clip.glsl"
+#include "line.glsl"
 
 in vec3 position;
-in float position_w;    // only if HAS_W; else 1
+in float position_w;        // only if HAS_W; else 1
 in vec3 normal;
-in vec4 color;
-uniform vec2 point_shift;   // only if POINTS: 1/256 of a pixel, in normalized device coordinates
-in uint object;         // only if MANY_OBJECTS: the row of transforms and materials that this vertex uses
+in vec4 color;              // not if OBJECT_COLOR: then all vertices have the colour of their object
+in vec4 secondary_color;    // only if COLOR_SUM
+in float fog_coord;         // only if FOG_COORDINATE
+in uint object;             // only if MANY_OBJECTS: the row of transforms and materials that this vertex uses
+in vec4 other_end;          // only if WIDE_LINES: the line's other end, in object space
+in float line_side;         // only if WIDE_LINES: -1 or 1
+in float line_start;        // only if LINE_STIPPLE: pixels from the beginning of the pattern
 
 SHADED out vec4 front_color;        // SHADED is flat or smooth: glShadeModel
 SHADED out vec3 front_highlight;
@@ -22,32 +29,57 @@ SHADED out vec3 back_highlight;
 out vec3 eye_position;              // only if the equation runs per fragment
 out vec3 eye_normal;
 out vec4 vertex_color;
+out float fog_distance;             // only with fog
+noperspective out float along_line; // only if LINE_STIPPLE
 flat out uint object_row;
+
+vec4 project(Transform transform, vec4 P)
+{
+    vec4 Q = transform.modelview_projection * P;
+    if (WIDE_LINES) Q = widen(Q, transform.modelview_projection * other_end, line_side);
+    if (POINTS) Q.xy += vec2(2.002, 1.998) / 256.0 / viewport.zw * Q.w; // between two pixels: up and to the right
+    return Q;
+}
+
+// glPointSize and glPointParameter; d: distance from the eye, or nearly (section 3.3 allows |z|)
+float point_size(float d)
+{
+    vec3 a = point_attenuation.xyz;
+    float size = clamp(point.x * inversesqrt(a.x + a.y * d + a.z * d * d), point.y, point.z);
+    return max(POINT_SMOOTH ? size : floor(size + 0.5), 1.0);
+}
 
 void main()
 {
     object_row = MANY_OBJECTS ? object : 0u;
     Transform transform = transforms[object_row];
+    Material material = materials[object_row];
     vec4 P = vec4(position, HAS_W ? position_w : 1.0);
-    gl_Position = transform.modelview_projection * P;
-    if (POINTS) gl_Position.xy += point_shift * gl_Position.w;  // between two pixels: up and to the right
+    gl_Position = project(transform, P);
 
-    front_color = back_color = vertex_color = clamp(color, 0.0, 1.0);
-    front_highlight = back_highlight = vec3(0.0);
+    vec4 own_color = OBJECT_COLOR ? material.color : color;
+    front_color = back_color = vertex_color = clamp(own_color, 0.0, 1.0);
+    front_highlight = back_highlight = COLOR_SUM ? clamp(secondary_color.rgb, 0.0, 1.0) : vec3(0.0);
+    if (LINE_STIPPLE) along_line = line_start;
+
+    P = transform.modelview * P;    // in eye space from here on
+#if CLIPPING
+    clip(P);
+#endif
+    if (POINTS) gl_PointSize = point_size(abs(P.z));
+    if (FOG != FOG_OFF) fog_distance = FOG_COORDINATE ? fog_coord : abs(P.z);
     if (!LIGHTING) return;
 
-    P = transform.modelview * P;
     vec3 N = transform.normal * normal;
     if (NORMALIZE) N = normalize(N);
     else if (RESCALE_NORMAL) N *= inversesqrt(dot(transform.normal[2], transform.normal[2]));
 
     eye_position = P.xyz / P.w;
     eye_normal = N;
-    vertex_color = color;
+    vertex_color = own_color;
     if (PER_FRAGMENT) return;
 
-    Material material = materials[object_row];
-    shade(track(material.front, color, FRONT_TRACKS), N, eye_position, front_color, front_highlight);
+    shade(track(material.front, own_color, FRONT_TRACKS), N, eye_position, front_color, front_highlight);
     if (TWO_SIDE)
-        shade(track(material.back, color, BACK_TRACKS), -N, eye_position, back_color, back_highlight);
+        shade(track(material.back, own_color, BACK_TRACKS), -N, eye_position, back_color, back_highlight);
 }

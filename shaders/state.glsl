@@ -19,7 +19,8 @@ struct Face {
 struct Material {
     Face front;
     Face back;
-    vec4 unused[6];
+    vec4 color;     // the current colour, for vertices that have none of their own
+    vec4 unused[5];
 };
 
 // glLight; all vectors in eye space

@@ -89,7 +89,7 @@ def test_glsim_commands_of_the_readme(tmp_path: Path) -> None:
 
 
 def test_the_readmes_number_of_programs() -> None:
-    from tests.oracle.programs import PROGRAMS
+    from tests.oracle import PROGRAMS
 
     found = re.search(r"draws (\d+) programs", (ROOT / "README.md").read_text())
     assert found

@@ -11,7 +11,7 @@ import glsim
 from glsim.files import data_folder
 from glsim.gl import *
 from glsim.render import programs
-from glsim.render.batch import plan
+from glsim.render.batch import Plan, plans
 from glsim.study.capture import capture
 
 
@@ -93,6 +93,10 @@ def test_a_broken_shader_is_named_with_file_and_line(
 # ---------------------------------------------------------------- batches
 
 
+def planned(frame: glsim.Frame, limit: int = 256) -> list[Plan]:
+    return plans(list(frame.draws), limit)[1]
+
+
 def quad(x: float) -> None:
     glBegin(GL_QUADS)
     for dx, dy in ((0, 0), (0.1, 0), (0.1, 0.1), (0, 0.1)):
@@ -110,10 +114,10 @@ def test_neighbours_that_differ_in_values_become_one_draw(screen: glsim.Offscree
             quad(-0.9)
             glPopMatrix()
     assert len(frame.packets) == 20
-    todo = plan(list(frame.draws), 256)
+    (todo,) = planned(frame)
     assert len(todo.batches) == 1
     assert todo.batches[0].objects == 20
-    assert len(plan(list(frame.draws), 8).batches) == 3
+    assert len(planned(frame, 8)[0].batches) == 3
 
 
 def test_a_change_of_state_parts_the_batch_and_keeps_the_order(screen: glsim.Offscreen) -> None:
@@ -122,7 +126,7 @@ def test_a_change_of_state_parts_the_batch_and_keeps_the_order(screen: glsim.Off
             glShadeModel(GL_FLAT if k // 2 % 2 else GL_SMOOTH)
             glColor3f(k / 6, 1, 0)
             quad(0)  # each over the one before
-    assert len(plan(list(frame.draws), 256).batches) == 3
+    assert len(planned(frame)[0].batches) == 3
     assert screen.pixels()[60, 66, 0] == round(255 * 5 / 6)
 
 
@@ -132,7 +136,7 @@ def test_the_same_state_again_is_the_same_batch(screen: glsim.Offscreen) -> None
         glEnable(GL_CULL_FACE)
         glDisable(GL_CULL_FACE)
         quad(0.5)
-    assert len(plan(list(frame.draws), 256).batches) == 1
+    assert len(planned(frame)[0].batches) == 1
 
 
 def test_a_frame_can_be_drawn_again_elsewhere(screen: glsim.Offscreen) -> None:
@@ -157,3 +161,26 @@ def test_a_large_frame_is_flushed_before_it_is_ended(screen: glsim.Offscreen, mo
         quad(0.02 * k - 0.9)
     assert 0 < len(screen.machine.packets) < 40
     assert screen.pixels().any()
+
+
+def test_calls_of_a_list_become_instances_and_its_buffers_are_kept(screen: glsim.Offscreen) -> None:
+    number = glGenLists(1)
+    glNewList(number, GL_COMPILE)
+    quad(0)
+    quad(0.3)
+    glEndList()
+    for _ in range(2):
+        with capture() as frame:
+            for k in range(7):
+                glColor3f(k / 7, 0, 1)
+                glCallList(number)
+                glTranslatef(0, -0.1, 0)
+        (todo,) = planned(frame)
+        assert todo.instances
+        assert [batch.objects for batch in todo.batches] == [7]
+        screen.pixels()
+        assert len(screen._renderer.static) == 1
+    glDeleteLists(number, 1)
+    del frame, todo
+    screen.reset()
+    assert len(screen._renderer.static) == 0

@@ -30,7 +30,7 @@ from glsim.machine.constants import (
     Enum,
 )
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
-from glsim.machine.frame import ROW
+from glsim.machine.frame import ROW, ROW_BYTES
 from glsim.machine.machine import Machine
 
 ARRAYS: dict[int, Enum] = {
@@ -197,10 +197,20 @@ def as_colour(values: NDArray[Any]) -> NDArray[Any]:
     return values / scale if kind == "u" else (2.0 * values + 1.0) / scale
 
 
-def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], NDArray[np.float32] | None] | None:
-    """Rows (count, 10) and w (count,) or None from the enabled arrays; None if the vertex array is not enabled."""
+# client array -> column of frame.COLUMNS, components, values that fill what the array lacks
+EXTRA: dict[int, tuple[str, tuple[float, ...]]] = {
+    GL_TEXTURE_COORD_ARRAY: ("texcoord0", (0.0, 0.0, 0.0, 1.0)),
+    GL_SECONDARY_COLOR_ARRAY: ("secondary_color", (0.0, 0.0, 0.0, 1.0)),
+    GL_FOG_COORDINATE_ARRAY: ("fog_coord", (0.0,)),
+    GL_EDGE_FLAG_ARRAY: ("edge_flag", (1.0,)),
+}
+Columns = dict[str, NDArray[np.float32]]
+
+
+def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], Columns] | None:
+    """Rows (count, 10) and other columns (count, width) from the enabled arrays; None without vertex array."""
     vertex = client(m, GL_VERTEX_ARRAY)
-    if not vertex.enabled or vertex.pointer.data is None:
+    if not _usable(vertex):
         return None
     rows = np.empty((count, ROW), np.float32)
     positions = elements(vertex.pointer, first, count)
@@ -208,7 +218,7 @@ def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], NDA
     rows[:, : min(size, 3)] = positions[:, :3]
     if size == 2:
         rows[:, 2] = 0.0
-    w = positions[:, 3].astype(np.float32) if size == 4 else None
+    columns = {"w": positions[:, 3:4].astype(np.float32)} if size == 4 else {}
     normal = client(m, GL_NORMAL_ARRAY)
     rows[:, 3:6] = as_colour(elements(normal.pointer, first, count)) if _usable(normal) else (m.nx, m.ny, m.nz)
     color = client(m, GL_COLOR_ARRAY)
@@ -218,7 +228,14 @@ def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], NDA
             rows[:, 9] = 1.0
     else:
         rows[:, 6:10] = m.red, m.green, m.blue, m.alpha
-    return rows, w
+    for array, (name, fill) in EXTRA.items():
+        state = client(m, array)
+        if _usable(state):
+            values = elements(state.pointer, first, count)
+            values = as_colour(values) if array == GL_SECONDARY_COLOR_ARRAY else values
+            columns[name] = np.tile(np.array(fill, np.float32), (count, 1))
+            columns[name][:, : values.shape[1]] = values
+    return rows, columns
 
 
 def _usable(array: Client) -> bool:
@@ -236,7 +253,7 @@ def glDrawArrays(m: Machine, mode: int, first: int, count: int) -> None:
         raise invalid_value("first and count", (first, count), "at least 0")
     found = gather(m, int(first), int(count)) if count else None
     if found is not None:
-        m.add_draw(mode, found[0], found[1], None)
+        m.add_draw(mode, *found, None)
 
 
 def glMultiDrawArrays(m: Machine, mode: int, first: Any, count: Any, primcount: int) -> None:
@@ -263,7 +280,7 @@ def glDrawElements(m: Machine, mode: int, count: int, type: int, indices: Any) -
     least, most = int(numbers.min()), int(numbers.max())
     found = gather(m, least, most - least + 1)
     if found is not None:
-        m.add_draw(mode, found[0], found[1], numbers - np.uint32(least))
+        m.add_draw(mode, *found, numbers - np.uint32(least))
 
 
 def glDrawRangeElements(m: Machine, mode: int, start: int, end: int, count: int, type: int, indices: Any) -> None:
@@ -286,17 +303,16 @@ def glArrayElement(m: Machine, i: int) -> None:
     if _usable(color):
         values = as_colour(elements(color.pointer, i, 1))[0].tolist()
         m.red, m.green, m.blue, m.alpha = [*values, 1.0][:4]
-    texture = client(m, GL_TEXTURE_COORD_ARRAY)
-    if _usable(texture):
-        given = elements(texture.pointer, i, 1)[0].tolist()
-        m.texcoord[0] = (*given, *(0.0, 0.0, 0.0, 1.0)[len(given) :])
-    vertex = client(m, GL_VERTEX_ARRAY)
-    if _usable(vertex):
+    for array, (name, fill) in EXTRA.items():
+        state = client(m, array)
+        if _usable(state):
+            given = elements(state.pointer, i, 1)[0].tolist()
+            m.set_current(name, (*given, *fill[len(given) :]))
+    if _usable(client(m, GL_VERTEX_ARRAY)):
         if m.inside is None:
             raise invalid_operation("a vertex is only allowed between glBegin and glEnd")
         found = gather(m, i, 1)
         assert found is not None
-        rows, w = found
-        if w is not None:
-            m.w_rows.append((m.stream.tell() // (4 * ROW), w))
-        m.write(rows.tobytes())
+        if "w" in found[1]:
+            m.columns.append(("w", m.stream.tell() // ROW_BYTES, found[1]["w"]))
+        m.write(found[0].tobytes())

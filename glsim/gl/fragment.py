@@ -1,148 +1,207 @@
-"""Rasterization state and per-fragment operations: sections 3.5 and 4 of the specification."""
+"""Per-fragment operations, fog and the framebuffer: sections 3.10 and 4 of the specification."""
 
 from __future__ import annotations
 
-from glsim.gl.light import set_color_material
+from typing import Any
+
+from glsim.gl.arguments import exactly, numbers
 from glsim.machine.constants import (
     GL_ACCUM_BUFFER_BIT,
     GL_ALWAYS,
-    GL_BACK,
-    GL_CCW,
+    GL_CLEAR,
     GL_COLOR_BUFFER_BIT,
-    GL_COLOR_MATERIAL,
-    GL_CULL_FACE,
-    GL_CW,
+    GL_CONSTANT_ALPHA,
+    GL_CONSTANT_COLOR,
+    GL_DECR,
+    GL_DECR_WRAP,
     GL_DEPTH_BUFFER_BIT,
-    GL_DEPTH_TEST,
-    GL_DITHER,
     GL_DONT_CARE,
+    GL_DST_ALPHA,
+    GL_DST_COLOR,
+    GL_EXP,
+    GL_EXP2,
     GL_FASTEST,
+    GL_FOG_COLOR,
+    GL_FOG_COORDINATE,
+    GL_FOG_COORDINATE_SOURCE,
+    GL_FOG_DENSITY,
+    GL_FOG_END,
     GL_FOG_HINT,
-    GL_FRONT,
-    GL_FRONT_AND_BACK,
+    GL_FOG_INDEX,
+    GL_FOG_MODE,
+    GL_FOG_START,
+    GL_FRAGMENT_DEPTH,
+    GL_FUNC_ADD,
+    GL_FUNC_REVERSE_SUBTRACT,
+    GL_FUNC_SUBTRACT,
     GL_GENERATE_MIPMAP_HINT,
-    GL_LIGHT0,
-    GL_LIGHTING,
+    GL_INCR,
+    GL_INCR_WRAP,
+    GL_INVERT,
+    GL_KEEP,
     GL_LINE_SMOOTH_HINT,
-    GL_MULTISAMPLE,
+    GL_LINEAR,
+    GL_MAX,
+    GL_MIN,
     GL_NEVER,
     GL_NICEST,
-    GL_NORMALIZE,
+    GL_ONE,
+    GL_ONE_MINUS_CONSTANT_ALPHA,
+    GL_ONE_MINUS_CONSTANT_COLOR,
+    GL_ONE_MINUS_DST_ALPHA,
+    GL_ONE_MINUS_DST_COLOR,
+    GL_ONE_MINUS_SRC_ALPHA,
+    GL_ONE_MINUS_SRC_COLOR,
     GL_PERSPECTIVE_CORRECTION_HINT,
     GL_PHONG_HINT_WIN,
     GL_POINT_SMOOTH_HINT,
     GL_POLYGON_SMOOTH_HINT,
-    GL_RESCALE_NORMAL,
+    GL_REPLACE,
+    GL_SET,
+    GL_SRC_ALPHA,
+    GL_SRC_ALPHA_SATURATE,
+    GL_SRC_COLOR,
     GL_STENCIL_BUFFER_BIT,
     GL_TEXTURE_COMPRESSION_HINT,
-    Enum,
+    GL_ZERO,
 )
 from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.frame import Clear
 from glsim.machine.machine import Machine
-from glsim.machine.state import MAX_LIGHTS
-
-# cap of glEnable -> (group, field) of a Machine
-CAPS: dict[int, tuple[str, str]] = {
-    GL_LIGHTING: ("lighting", "enabled"),
-    GL_COLOR_MATERIAL: ("lighting", "color_material"),
-    GL_NORMALIZE: ("transform", "normalize"),
-    GL_RESCALE_NORMAL: ("transform", "rescale_normal"),
-    GL_CULL_FACE: ("polygon", "cull"),
-    GL_DEPTH_TEST: ("depth", "test"),
-    GL_DITHER: ("color_buffer", "dither"),
-    GL_MULTISAMPLE: ("color_buffer", "multisample"),
-}
-# caps of OpenGL 1.5 that come with a later version
-LATER = (
-    "GL_ALPHA_TEST GL_AUTO_NORMAL GL_BLEND GL_CLIP_PLANE0 GL_CLIP_PLANE1 GL_CLIP_PLANE2 GL_CLIP_PLANE3 GL_CLIP_PLANE4 "
-    "GL_CLIP_PLANE5 GL_COLOR_LOGIC_OP GL_COLOR_SUM GL_FOG GL_INDEX_LOGIC_OP GL_LINE_SMOOTH GL_LINE_STIPPLE "
-    "GL_MAP1_COLOR_4 GL_MAP1_INDEX GL_MAP1_NORMAL GL_MAP1_TEXTURE_COORD_1 GL_MAP1_TEXTURE_COORD_2 "
-    "GL_MAP1_TEXTURE_COORD_3 GL_MAP1_TEXTURE_COORD_4 GL_MAP1_VERTEX_3 GL_MAP1_VERTEX_4 GL_MAP2_COLOR_4 GL_MAP2_INDEX "
-    "GL_MAP2_NORMAL GL_MAP2_TEXTURE_COORD_1 GL_MAP2_TEXTURE_COORD_2 GL_MAP2_TEXTURE_COORD_3 GL_MAP2_TEXTURE_COORD_4 "
-    "GL_MAP2_VERTEX_3 GL_MAP2_VERTEX_4 GL_POINT_SMOOTH GL_POLYGON_OFFSET_FILL GL_POLYGON_OFFSET_LINE "
-    "GL_POLYGON_OFFSET_POINT GL_POLYGON_SMOOTH GL_POLYGON_STIPPLE GL_SAMPLE_ALPHA_TO_COVERAGE GL_SAMPLE_ALPHA_TO_ONE "
-    "GL_SAMPLE_COVERAGE GL_SCISSOR_TEST GL_STENCIL_TEST GL_TEXTURE_1D GL_TEXTURE_2D GL_TEXTURE_3D GL_TEXTURE_CUBE_MAP "
-    "GL_TEXTURE_GEN_Q GL_TEXTURE_GEN_R GL_TEXTURE_GEN_S GL_TEXTURE_GEN_T"
-)
+from glsim.machine.state import Color
 
 
-def _later_caps() -> dict[int, Enum]:
-    from glsim.machine import constants
-
-    return {int(getattr(constants, name)): getattr(constants, name) for name in LATER.split()}
+def _unit(value: float) -> float:
+    return min(max(float(value), 0.0), 1.0)
 
 
-LATER_CAPS = _later_caps()
+def _check_func(func: int) -> None:
+    if not GL_NEVER <= func <= GL_ALWAYS:
+        raise invalid_enum("func", func, "a comparison such as GL_LESS or GL_LEQUAL")
 
 
-def glEnable(m: Machine, cap: int) -> None:
-    _set(m, cap, True)
+# ---------------------------------------------------------------- fog
 
 
-def glDisable(m: Machine, cap: int) -> None:
-    _set(m, cap, False)
+def glFog(m: Machine, pname: int, params: Any) -> None:
+    if pname == GL_FOG_COLOR:
+        values = numbers(params)
+        if len(values) < 3:
+            raise ValueError(f"GL_FOG_COLOR needs four numbers, not {len(values)}")
+        color: Color = (*map(_unit, (*values, 1.0)[:4]),)  # type: ignore[assignment]
+        m.fog = m.fog._replace(color=color)
+        return
+    (value,) = exactly(params, 1, "this parameter")
+    if pname == GL_FOG_MODE:
+        if value not in (GL_LINEAR, GL_EXP, GL_EXP2):
+            raise invalid_enum("GL_FOG_MODE", int(value), "GL_LINEAR, GL_EXP or GL_EXP2")
+        m.fog = m.fog._replace(mode=int(value))
+    elif pname == GL_FOG_DENSITY:
+        if not value >= 0:
+            raise invalid_value("GL_FOG_DENSITY", value, "at least 0")
+        m.fog = m.fog._replace(density=value)
+    elif pname == GL_FOG_START:
+        m.fog = m.fog._replace(start=value)
+    elif pname == GL_FOG_END:
+        m.fog = m.fog._replace(end=value)
+    elif pname == GL_FOG_INDEX:
+        m.fog = m.fog._replace(color_index=value)
+    elif pname == GL_FOG_COORDINATE_SOURCE:
+        if value not in (GL_FRAGMENT_DEPTH, GL_FOG_COORDINATE):
+            raise invalid_enum("GL_FOG_COORDINATE_SOURCE", int(value), "GL_FRAGMENT_DEPTH or GL_FOG_COORDINATE")
+        m.fog = m.fog._replace(coordinate_source=int(value))
+    else:
+        raise invalid_enum("pname", pname, "a fog parameter such as GL_FOG_MODE or GL_FOG_COLOR")
 
 
-def _set(m: Machine, cap: int, value: bool) -> None:
-    place = CAPS.get(cap)
-    if place is not None:
-        group, field = place
-        if getattr(getattr(m, group), field) == value:
-            return
-        if cap == GL_COLOR_MATERIAL:
-            set_color_material(m, value)
-        else:
-            setattr(m, group, getattr(m, group)._replace(**{field: value}))
-    elif 0 <= cap - GL_LIGHT0 < MAX_LIGHTS:
-        enabled = list(m.lighting.light_enabled)
-        enabled[cap - GL_LIGHT0] = value
-        m.lighting = m.lighting._replace(light_enabled=tuple(enabled))
-    elif cap not in LATER_CAPS:
-        raise invalid_enum("cap", cap, "something that can be enabled, such as GL_LIGHTING or GL_DEPTH_TEST")
-    elif value:
-        raise NotImplementedError(f"glEnable({LATER_CAPS[cap]!r}) is not in glsim yet")
+# ---------------------------------------------------------------- tests
 
 
-def glIsEnabled(m: Machine, cap: int) -> int:
-    place = CAPS.get(cap)
-    if place is not None:
-        return int(getattr(getattr(m, place[0]), place[1]))
-    if 0 <= cap - GL_LIGHT0 < MAX_LIGHTS:
-        return int(m.lighting.light_enabled[cap - GL_LIGHT0])
-    if cap in LATER_CAPS:
-        return 0
-    raise invalid_enum("cap", cap, "something that can be enabled, such as GL_LIGHTING or GL_DEPTH_TEST")
+def glScissor(m: Machine, x: int, y: int, width: int, height: int) -> None:
+    if width < 0 or height < 0:
+        raise invalid_value("width and height", (width, height), "at least 0")
+    m.scissor = m.scissor._replace(x=int(x), y=int(y), width=int(width), height=int(height))
 
 
-def glCullFace(m: Machine, mode: int) -> None:
-    if mode not in (GL_FRONT, GL_BACK, GL_FRONT_AND_BACK):
-        raise invalid_enum("mode", mode, "GL_FRONT, GL_BACK or GL_FRONT_AND_BACK")
-    m.polygon = m.polygon._replace(cull_face=mode)
+def glSampleCoverage(m: Machine, value: float, invert: bool) -> None:
+    m.multisample = m.multisample._replace(coverage_value=_unit(value), coverage_invert=bool(invert))
 
 
-def glFrontFace(m: Machine, mode: int) -> None:
-    if mode not in (GL_CW, GL_CCW):
-        raise invalid_enum("mode", mode, "GL_CW or GL_CCW")
-    m.polygon = m.polygon._replace(front_face=mode)
+def glAlphaFunc(m: Machine, func: int, ref: float) -> None:
+    _check_func(func)
+    m.color_buffer = m.color_buffer._replace(alpha_func=func, alpha_reference=_unit(ref))
+
+
+def glStencilFunc(m: Machine, func: int, ref: int, mask: int) -> None:
+    _check_func(func)
+    reference = min(max(int(ref), 0), 255)
+    m.stencil = m.stencil._replace(func=func, reference=reference, value_mask=int(mask) & 0xFFFFFFFF)
+
+
+STENCIL_OPERATIONS = (GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP)
+
+
+def glStencilOp(m: Machine, sfail: int, dpfail: int, dppass: int) -> None:
+    for name, value in (("sfail", sfail), ("dpfail", dpfail), ("dppass", dppass)):
+        if value not in STENCIL_OPERATIONS:
+            raise invalid_enum(name, value, "GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT or a _WRAP form")
+    m.stencil = m.stencil._replace(fail=sfail, depth_fail=dpfail, depth_pass=dppass)
 
 
 def glDepthFunc(m: Machine, func: int) -> None:
-    if not GL_NEVER <= func <= GL_ALWAYS:
-        raise invalid_enum("func", func, "a comparison such as GL_LESS or GL_LEQUAL")
+    _check_func(func)
     m.depth = m.depth._replace(func=func)
+
+
+# ---------------------------------------------------------------- blending and logic op
+
+SOURCE_AND_DESTINATION = {
+    GL_ZERO, GL_ONE, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_DST_COLOR, GL_ONE_MINUS_DST_COLOR, GL_SRC_ALPHA,
+    GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR,
+    GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA,
+}  # fmt: skip
+
+
+def glBlendFunc(m: Machine, sfactor: int, dfactor: int) -> None:
+    glBlendFuncSeparate(m, sfactor, dfactor, sfactor, dfactor)
+
+
+def glBlendFuncSeparate(m: Machine, srcRGB: int, dstRGB: int, srcAlpha: int, dstAlpha: int) -> None:
+    for name, value in (("source", srcRGB), ("source", srcAlpha), ("destination", dstRGB), ("destination", dstAlpha)):
+        if value not in SOURCE_AND_DESTINATION and not (name == "source" and value == GL_SRC_ALPHA_SATURATE):
+            raise invalid_enum(f"the {name} factor", value, "a blending factor such as GL_SRC_ALPHA")
+    m.color_buffer = m.color_buffer._replace(blend_function=(srcRGB, dstRGB, srcAlpha, dstAlpha))
+
+
+def glBlendEquation(m: Machine, mode: int) -> None:
+    if mode not in (GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX):
+        raise invalid_enum("mode", mode, "GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN or GL_MAX")
+    m.color_buffer = m.color_buffer._replace(blend_equation=mode)
+
+
+def glBlendColor(m: Machine, red: float, green: float, blue: float, alpha: float) -> None:
+    m.color_buffer = m.color_buffer._replace(blend_color=(_unit(red), _unit(green), _unit(blue), _unit(alpha)))
+
+
+def glLogicOp(m: Machine, op: int) -> None:
+    if not GL_CLEAR <= op <= GL_SET:
+        raise invalid_enum("op", op, "one of the sixteen logic operations GL_CLEAR to GL_SET")
+    m.color_buffer = m.color_buffer._replace(logic_op=op)
+
+
+# ---------------------------------------------------------------- masks and clears
 
 
 def glDepthMask(m: Machine, flag: bool) -> None:
     m.depth = m.depth._replace(mask=bool(flag))
 
 
+def glStencilMask(m: Machine, mask: int) -> None:
+    m.stencil = m.stencil._replace(write_mask=int(mask) & 0xFFFFFFFF)
+
+
 def glColorMask(m: Machine, r: bool, g: bool, b: bool, a: bool) -> None:
     m.color_buffer = m.color_buffer._replace(mask=(bool(r), bool(g), bool(b), bool(a)))
-
-
-def _unit(value: float) -> float:
-    return min(max(float(value), 0.0), 1.0)
 
 
 def glClearColor(m: Machine, r: float, g: float, b: float, a: float) -> None:
@@ -153,12 +212,18 @@ def glClearDepth(m: Machine, d: float) -> None:
     m.depth = m.depth._replace(clear=_unit(d))
 
 
+def glClearStencil(m: Machine, s: int) -> None:
+    m.stencil = m.stencil._replace(clear=int(s) & 0xFF)
+
+
 def glClear(m: Machine, mask: int) -> None:
     known = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT
     if mask & ~known:
         raise invalid_value("mask", mask, "a sum of GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT and the like")
     m.packets.append(Clear(int(mask), m.snapshot()))
 
+
+# ---------------------------------------------------------------- hints, flush
 
 HINTS = {
     GL_PERSPECTIVE_CORRECTION_HINT, GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT, GL_FOG_HINT,
@@ -172,7 +237,7 @@ def glHint(m: Machine, target: int, hint: int) -> None:
         raise invalid_enum("target", target, "a hint such as GL_PERSPECTIVE_CORRECTION_HINT")
     if hint not in (GL_FASTEST, GL_NICEST, GL_DONT_CARE):
         raise invalid_enum("hint", hint, "GL_FASTEST, GL_NICEST or GL_DONT_CARE")
-    m.hints[target] = hint
+    m.hints = {**m.hints, target: hint}
 
 
 def glFlush(m: Machine) -> None:

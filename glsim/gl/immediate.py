@@ -201,7 +201,7 @@ def glVertex4s(x: int, y: int, z: int, w: int) -> None:
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
-            m.w_rows.append((m.stream.tell() // 40 - 1, w))
+            m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
         raise _misuse("glVertex4s", (x, y, z, w), error) from None
 
@@ -213,7 +213,7 @@ def glVertex4sv(v: Numbers) -> None:
         x, y, z, w = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
-            m.w_rows.append((m.stream.tell() // 40 - 1, w))
+            m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
         raise _misuse("glVertex4sv", (v,), error) from None
 
@@ -224,7 +224,7 @@ def glVertex4i(x: int, y: int, z: int, w: int) -> None:
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
-            m.w_rows.append((m.stream.tell() // 40 - 1, w))
+            m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
         raise _misuse("glVertex4i", (x, y, z, w), error) from None
 
@@ -236,7 +236,7 @@ def glVertex4iv(v: Numbers) -> None:
         x, y, z, w = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
-            m.w_rows.append((m.stream.tell() // 40 - 1, w))
+            m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
         raise _misuse("glVertex4iv", (v,), error) from None
 
@@ -247,7 +247,7 @@ def glVertex4f(x: float, y: float, z: float, w: float) -> None:
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
-            m.w_rows.append((m.stream.tell() // 40 - 1, w))
+            m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
         raise _misuse("glVertex4f", (x, y, z, w), error) from None
 
@@ -259,7 +259,7 @@ def glVertex4fv(v: Numbers) -> None:
         x, y, z, w = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
-            m.w_rows.append((m.stream.tell() // 40 - 1, w))
+            m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
         raise _misuse("glVertex4fv", (v,), error) from None
 
@@ -270,7 +270,7 @@ def glVertex4d(x: float, y: float, z: float, w: float) -> None:
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
-            m.w_rows.append((m.stream.tell() // 40 - 1, w))
+            m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
         raise _misuse("glVertex4d", (x, y, z, w), error) from None
 
@@ -282,7 +282,7 @@ def glVertex4dv(v: Numbers) -> None:
         x, y, z, w = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
-            m.w_rows.append((m.stream.tell() // 40 - 1, w))
+            m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
         raise _misuse("glVertex4dv", (v,), error) from None
 
@@ -806,7 +806,7 @@ def glTexCoord1s(s: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord1s", (s,))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, 0.0, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1s", (s,), error) from None
 
@@ -816,7 +816,7 @@ def glTexCoord1sv(v: Numbers) -> None:
         return m.recorder("glTexCoord1sv", (v,))  # type: ignore[no-any-return]
     try:
         s = _first(v)
-        m.texcoord[0] = (s, 0.0, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1sv", (v,), error) from None
 
@@ -825,7 +825,7 @@ def glTexCoord1i(s: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord1i", (s,))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, 0.0, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1i", (s,), error) from None
 
@@ -835,7 +835,7 @@ def glTexCoord1iv(v: Numbers) -> None:
         return m.recorder("glTexCoord1iv", (v,))  # type: ignore[no-any-return]
     try:
         s = _first(v)
-        m.texcoord[0] = (s, 0.0, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1iv", (v,), error) from None
 
@@ -844,7 +844,7 @@ def glTexCoord1f(s: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord1f", (s,))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, 0.0, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1f", (s,), error) from None
 
@@ -854,7 +854,7 @@ def glTexCoord1fv(v: Numbers) -> None:
         return m.recorder("glTexCoord1fv", (v,))  # type: ignore[no-any-return]
     try:
         s = _first(v)
-        m.texcoord[0] = (s, 0.0, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1fv", (v,), error) from None
 
@@ -863,7 +863,7 @@ def glTexCoord1d(s: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord1d", (s,))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, 0.0, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1d", (s,), error) from None
 
@@ -873,7 +873,7 @@ def glTexCoord1dv(v: Numbers) -> None:
         return m.recorder("glTexCoord1dv", (v,))  # type: ignore[no-any-return]
     try:
         s = _first(v)
-        m.texcoord[0] = (s, 0.0, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1dv", (v,), error) from None
 
@@ -882,7 +882,7 @@ def glTexCoord2s(s: int, t: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord2s", (s, t))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, t, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2s", (s, t), error) from None
 
@@ -892,7 +892,7 @@ def glTexCoord2sv(v: Numbers) -> None:
         return m.recorder("glTexCoord2sv", (v,))  # type: ignore[no-any-return]
     try:
         s, t = v
-        m.texcoord[0] = (s, t, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2sv", (v,), error) from None
 
@@ -901,7 +901,7 @@ def glTexCoord2i(s: int, t: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord2i", (s, t))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, t, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2i", (s, t), error) from None
 
@@ -911,7 +911,7 @@ def glTexCoord2iv(v: Numbers) -> None:
         return m.recorder("glTexCoord2iv", (v,))  # type: ignore[no-any-return]
     try:
         s, t = v
-        m.texcoord[0] = (s, t, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2iv", (v,), error) from None
 
@@ -920,7 +920,7 @@ def glTexCoord2f(s: float, t: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord2f", (s, t))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, t, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2f", (s, t), error) from None
 
@@ -930,7 +930,7 @@ def glTexCoord2fv(v: Numbers) -> None:
         return m.recorder("glTexCoord2fv", (v,))  # type: ignore[no-any-return]
     try:
         s, t = v
-        m.texcoord[0] = (s, t, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2fv", (v,), error) from None
 
@@ -939,7 +939,7 @@ def glTexCoord2d(s: float, t: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord2d", (s, t))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, t, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2d", (s, t), error) from None
 
@@ -949,7 +949,7 @@ def glTexCoord2dv(v: Numbers) -> None:
         return m.recorder("glTexCoord2dv", (v,))  # type: ignore[no-any-return]
     try:
         s, t = v
-        m.texcoord[0] = (s, t, 0.0, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2dv", (v,), error) from None
 
@@ -958,7 +958,7 @@ def glTexCoord3s(s: int, t: int, r: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord3s", (s, t, r))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, t, r, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3s", (s, t, r), error) from None
 
@@ -968,7 +968,7 @@ def glTexCoord3sv(v: Numbers) -> None:
         return m.recorder("glTexCoord3sv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r = v
-        m.texcoord[0] = (s, t, r, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3sv", (v,), error) from None
 
@@ -977,7 +977,7 @@ def glTexCoord3i(s: int, t: int, r: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord3i", (s, t, r))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, t, r, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3i", (s, t, r), error) from None
 
@@ -987,7 +987,7 @@ def glTexCoord3iv(v: Numbers) -> None:
         return m.recorder("glTexCoord3iv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r = v
-        m.texcoord[0] = (s, t, r, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3iv", (v,), error) from None
 
@@ -996,7 +996,7 @@ def glTexCoord3f(s: float, t: float, r: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord3f", (s, t, r))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, t, r, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3f", (s, t, r), error) from None
 
@@ -1006,7 +1006,7 @@ def glTexCoord3fv(v: Numbers) -> None:
         return m.recorder("glTexCoord3fv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r = v
-        m.texcoord[0] = (s, t, r, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3fv", (v,), error) from None
 
@@ -1015,7 +1015,7 @@ def glTexCoord3d(s: float, t: float, r: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord3d", (s, t, r))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, t, r, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3d", (s, t, r), error) from None
 
@@ -1025,7 +1025,7 @@ def glTexCoord3dv(v: Numbers) -> None:
         return m.recorder("glTexCoord3dv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r = v
-        m.texcoord[0] = (s, t, r, 1.0)
+        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3dv", (v,), error) from None
 
@@ -1034,7 +1034,7 @@ def glTexCoord4s(s: int, t: int, r: int, q: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord4s", (s, t, r, q))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, t, r, q)
+        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
     except BAD as error:
         raise _misuse("glTexCoord4s", (s, t, r, q), error) from None
 
@@ -1044,7 +1044,7 @@ def glTexCoord4sv(v: Numbers) -> None:
         return m.recorder("glTexCoord4sv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r, q = v
-        m.texcoord[0] = (s, t, r, q)
+        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
     except BAD as error:
         raise _misuse("glTexCoord4sv", (v,), error) from None
 
@@ -1053,7 +1053,7 @@ def glTexCoord4i(s: int, t: int, r: int, q: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord4i", (s, t, r, q))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, t, r, q)
+        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
     except BAD as error:
         raise _misuse("glTexCoord4i", (s, t, r, q), error) from None
 
@@ -1063,7 +1063,7 @@ def glTexCoord4iv(v: Numbers) -> None:
         return m.recorder("glTexCoord4iv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r, q = v
-        m.texcoord[0] = (s, t, r, q)
+        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
     except BAD as error:
         raise _misuse("glTexCoord4iv", (v,), error) from None
 
@@ -1072,7 +1072,7 @@ def glTexCoord4f(s: float, t: float, r: float, q: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord4f", (s, t, r, q))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, t, r, q)
+        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
     except BAD as error:
         raise _misuse("glTexCoord4f", (s, t, r, q), error) from None
 
@@ -1082,7 +1082,7 @@ def glTexCoord4fv(v: Numbers) -> None:
         return m.recorder("glTexCoord4fv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r, q = v
-        m.texcoord[0] = (s, t, r, q)
+        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
     except BAD as error:
         raise _misuse("glTexCoord4fv", (v,), error) from None
 
@@ -1091,7 +1091,7 @@ def glTexCoord4d(s: float, t: float, r: float, q: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord4d", (s, t, r, q))  # type: ignore[no-any-return]
     try:
-        m.texcoord[0] = (s, t, r, q)
+        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
     except BAD as error:
         raise _misuse("glTexCoord4d", (s, t, r, q), error) from None
 
@@ -1101,6 +1101,6 @@ def glTexCoord4dv(v: Numbers) -> None:
         return m.recorder("glTexCoord4dv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r, q = v
-        m.texcoord[0] = (s, t, r, q)
+        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
     except BAD as error:
         raise _misuse("glTexCoord4dv", (v,), error) from None

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from glsim.gl.arguments import matrix16
+import numpy as np
+
+from glsim.gl.arguments import exactly, matrix16
 from glsim.machine import matrix
-from glsim.machine.constants import GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE
+from glsim.machine.constants import GL_CLIP_PLANE0, GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE
 from glsim.machine.errors import invalid_enum, invalid_value, stack_overflow, stack_underflow
 from glsim.machine.machine import STACK_DEPTH, Machine
 from glsim.machine.matrix import Matrix
+from glsim.machine.state import MAX_CLIP_PLANES
 
 NAMES: dict[int, str] = {GL_MODELVIEW: "modelview", GL_PROJECTION: "projection", GL_TEXTURE: "texture"}
 
@@ -105,3 +108,27 @@ def glViewport(m: Machine, x: int, y: int, width: int, height: int) -> None:
 def glDepthRange(m: Machine, zNear: float, zFar: float) -> None:
     near, far = (min(max(float(v), 0.0), 1.0) for v in (zNear, zFar))
     m.viewport = m.viewport._replace(near=near, far=far)
+
+
+def glClipPlane(m: Machine, plane: int, equation: Any) -> None:
+    """Keeps a x + b y + c z + d w >= 0; taken to eye space NOW by the inverse of the modelview (section 2.12)."""
+    number = plane - GL_CLIP_PLANE0
+    if not 0 <= number < MAX_CLIP_PLANES:
+        raise invalid_enum("plane", plane, f"GL_CLIP_PLANE0 to GL_CLIP_PLANE{MAX_CLIP_PLANES - 1}")
+    given = np.array(exactly(equation, 4, "equation"))
+    modelview = m.modelview[-1].get().T.astype(np.float64)  # rows and columns as in mathematics
+    try:
+        eye = given @ np.linalg.inv(modelview)
+    except np.linalg.LinAlgError:
+        eye = given
+    planes = list(m.transform.clip_planes)
+    a, b, c, d = eye.astype(np.float32).tolist()
+    planes[number] = (a, b, c, d)
+    m.transform = m.transform._replace(clip_planes=tuple(planes))
+
+
+def glGetClipPlane(m: Machine, plane: int) -> Any:
+    number = plane - GL_CLIP_PLANE0
+    if not 0 <= number < MAX_CLIP_PLANES:
+        raise invalid_enum("plane", plane, f"GL_CLIP_PLANE0 to GL_CLIP_PLANE{MAX_CLIP_PLANES - 1}")
+    return np.array(m.transform.clip_planes[number], np.float64)

@@ -9,11 +9,13 @@ import numpy as np
 
 from glsim.gl.arguments import DTYPES
 from glsim.gl.arrays import ARRAYS, client
-from glsim.gl.fragment import CAPS, HINTS, LATER_CAPS, glIsEnabled
+from glsim.gl.enable import CAPS, LATER, glIsEnabled, series
+from glsim.gl.fragment import HINTS
+from glsim.gl.raster import LARGEST_LINE, LARGEST_POINT
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_value
-from glsim.machine.machine import STACK_DEPTH, Machine
-from glsim.machine.state import MAX_LIGHTS
+from glsim.machine.machine import ATTRIB_STACK_DEPTH, MAX_LIST_NESTING, STACK_DEPTH, Machine
+from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS
 
 Getter = Callable[[Machine], Any]
 
@@ -21,17 +23,24 @@ Getter = Callable[[Machine], Any]
 COLOURS = {
     gl.GL_CURRENT_COLOR, gl.GL_CURRENT_NORMAL, gl.GL_LIGHT_MODEL_AMBIENT, gl.GL_COLOR_CLEAR_VALUE,
     gl.GL_DEPTH_CLEAR_VALUE, gl.GL_DEPTH_RANGE, gl.GL_CURRENT_SECONDARY_COLOR,
-    gl.GL_AMBIENT, gl.GL_DIFFUSE, gl.GL_SPECULAR, gl.GL_EMISSION,
+    gl.GL_AMBIENT, gl.GL_DIFFUSE, gl.GL_SPECULAR, gl.GL_EMISSION, gl.GL_FOG_COLOR, gl.GL_BLEND_COLOR,
+    gl.GL_ALPHA_TEST_REF,
 }  # fmt: skip
+
+
+def _signed(mask: int) -> int:
+    """A 32-bit mask as glGetIntegerv returns it."""
+    return mask - (1 << 32) if mask >= 1 << 31 else mask
+
 
 GETTERS: dict[int, Getter] = {
     gl.GL_CURRENT_COLOR: lambda m: (m.red, m.green, m.blue, m.alpha),
     gl.GL_CURRENT_NORMAL: lambda m: (m.nx, m.ny, m.nz),
-    gl.GL_CURRENT_TEXTURE_COORDS: lambda m: m.texcoord[0],
-    gl.GL_CURRENT_SECONDARY_COLOR: lambda m: m.secondary_color,
-    gl.GL_CURRENT_FOG_COORDINATE: lambda m: m.fog_coord,
+    gl.GL_CURRENT_TEXTURE_COORDS: lambda m: m.current["texcoord0"],
+    gl.GL_CURRENT_SECONDARY_COLOR: lambda m: m.current["secondary_color"],
+    gl.GL_CURRENT_FOG_COORDINATE: lambda m: m.current["fog_coord"][0],
     gl.GL_CURRENT_INDEX: lambda m: m.index,
-    gl.GL_EDGE_FLAG: lambda m: m.edge_flag,
+    gl.GL_EDGE_FLAG: lambda m: m.current["edge_flag"][0],
     gl.GL_MATRIX_MODE: lambda m: m.transform.matrix_mode,
     gl.GL_MODELVIEW_MATRIX: lambda m: m.modelview[-1].get(),
     gl.GL_PROJECTION_MATRIX: lambda m: m.projection[-1].get(),
@@ -80,12 +89,61 @@ GETTERS: dict[int, Getter] = {
     gl.GL_SAMPLES: lambda m: m.device.describe().get("samples", 0),
     gl.GL_SAMPLE_BUFFERS: lambda m: int(m.device.describe().get("samples", 0) > 0),
     gl.GL_LIST_INDEX: lambda m: 0,
-    gl.GL_ATTRIB_STACK_DEPTH: lambda m: 0,
     gl.GL_RENDER_MODE: lambda m: gl.GL_RENDER,
     gl.GL_MAX_TEXTURE_UNITS: lambda m: 1,
-    gl.GL_POLYGON_MODE: lambda m: (gl.GL_FILL, gl.GL_FILL),
-    gl.GL_POINT_SIZE: lambda m: 1.0,
-    gl.GL_LINE_WIDTH: lambda m: 1.0,
+    gl.GL_POLYGON_MODE: lambda m: (m.polygon.front_mode, m.polygon.back_mode),
+    gl.GL_POLYGON_OFFSET_FACTOR: lambda m: m.polygon.offset_factor,
+    gl.GL_POLYGON_OFFSET_UNITS: lambda m: m.polygon.offset_units,
+    gl.GL_POINT_SIZE: lambda m: m.point.size,
+    gl.GL_POINT_SIZE_MIN: lambda m: m.point.size_min,
+    gl.GL_POINT_SIZE_MAX: lambda m: m.point.size_max,
+    gl.GL_POINT_FADE_THRESHOLD_SIZE: lambda m: m.point.fade_threshold,
+    gl.GL_POINT_DISTANCE_ATTENUATION: lambda m: m.point.distance_attenuation,
+    gl.GL_POINT_SIZE_RANGE: lambda m: (1.0, LARGEST_POINT),
+    gl.GL_POINT_SIZE_GRANULARITY: lambda m: 0.1,
+    gl.GL_ALIASED_POINT_SIZE_RANGE: lambda m: (1.0, LARGEST_POINT),
+    gl.GL_LINE_WIDTH: lambda m: m.line.width,
+    gl.GL_LINE_WIDTH_RANGE: lambda m: (1.0, LARGEST_LINE),
+    gl.GL_LINE_WIDTH_GRANULARITY: lambda m: 0.1,
+    gl.GL_ALIASED_LINE_WIDTH_RANGE: lambda m: (1.0, LARGEST_LINE),
+    gl.GL_LINE_STIPPLE_PATTERN: lambda m: m.line.stipple_pattern,
+    gl.GL_LINE_STIPPLE_REPEAT: lambda m: m.line.stipple_factor,
+    gl.GL_FOG_COLOR: lambda m: m.fog.color,
+    gl.GL_FOG_MODE: lambda m: m.fog.mode,
+    gl.GL_FOG_DENSITY: lambda m: m.fog.density,
+    gl.GL_FOG_START: lambda m: m.fog.start,
+    gl.GL_FOG_END: lambda m: m.fog.end,
+    gl.GL_FOG_INDEX: lambda m: m.fog.color_index,
+    gl.GL_FOG_COORDINATE_SOURCE: lambda m: m.fog.coordinate_source,
+    gl.GL_SCISSOR_BOX: lambda m: m.scissor[1:],
+    gl.GL_ALPHA_TEST_FUNC: lambda m: m.color_buffer.alpha_func,
+    gl.GL_ALPHA_TEST_REF: lambda m: m.color_buffer.alpha_reference,
+    gl.GL_STENCIL_FUNC: lambda m: m.stencil.func,
+    gl.GL_STENCIL_REF: lambda m: m.stencil.reference,
+    gl.GL_STENCIL_VALUE_MASK: lambda m: _signed(m.stencil.value_mask),
+    gl.GL_STENCIL_WRITEMASK: lambda m: _signed(m.stencil.write_mask),
+    gl.GL_STENCIL_FAIL: lambda m: m.stencil.fail,
+    gl.GL_STENCIL_PASS_DEPTH_FAIL: lambda m: m.stencil.depth_fail,
+    gl.GL_STENCIL_PASS_DEPTH_PASS: lambda m: m.stencil.depth_pass,
+    gl.GL_STENCIL_CLEAR_VALUE: lambda m: m.stencil.clear,
+    gl.GL_BLEND_SRC: lambda m: m.color_buffer.blend_function[0],
+    gl.GL_BLEND_DST: lambda m: m.color_buffer.blend_function[1],
+    gl.GL_BLEND_SRC_RGB: lambda m: m.color_buffer.blend_function[0],
+    gl.GL_BLEND_DST_RGB: lambda m: m.color_buffer.blend_function[1],
+    gl.GL_BLEND_SRC_ALPHA: lambda m: m.color_buffer.blend_function[2],
+    gl.GL_BLEND_DST_ALPHA: lambda m: m.color_buffer.blend_function[3],
+    gl.GL_BLEND_EQUATION: lambda m: m.color_buffer.blend_equation,
+    gl.GL_BLEND_COLOR: lambda m: m.color_buffer.blend_color,
+    gl.GL_LOGIC_OP_MODE: lambda m: m.color_buffer.logic_op,
+    gl.GL_SAMPLE_COVERAGE_VALUE: lambda m: m.multisample.coverage_value,
+    gl.GL_SAMPLE_COVERAGE_INVERT: lambda m: m.multisample.coverage_invert,
+    gl.GL_MAX_CLIP_PLANES: lambda m: MAX_CLIP_PLANES,
+    gl.GL_ATTRIB_STACK_DEPTH: lambda m: len(m.attrib_stack),
+    gl.GL_MAX_ATTRIB_STACK_DEPTH: lambda m: ATTRIB_STACK_DEPTH,
+    gl.GL_CLIENT_ATTRIB_STACK_DEPTH: lambda m: len(m.client_attrib_stack),
+    gl.GL_MAX_CLIENT_ATTRIB_STACK_DEPTH: lambda m: ATTRIB_STACK_DEPTH,
+    gl.GL_LIST_BASE: lambda m: m.list_base,
+    gl.GL_MAX_LIST_NESTING: lambda m: MAX_LIST_NESTING,
 }
 
 
@@ -107,7 +165,7 @@ def _lookup(m: Machine, pname: int) -> Any:
     getter = GETTERS.get(pname)
     if getter is not None:
         return getter(m)
-    if pname in CAPS or pname in LATER_CAPS or 0 <= pname - gl.GL_LIGHT0 < MAX_LIGHTS:
+    if pname in CAPS or pname in LATER or series(pname):
         return glIsEnabled(m, pname)
     if pname in ARRAYS:
         return client(m, pname).enabled
@@ -225,11 +283,18 @@ def glReadPixels(
         pixels = m.device.read(x, y, width, height, "depth")[..., None]
     elif format in COMPONENTS:
         pixels = m.device.read(x, y, width, height, "color")[..., COMPONENTS[format]]  # type: ignore[index]
-    elif format in (gl.GL_STENCIL_INDEX, gl.GL_COLOR_INDEX, gl.GL_LUMINANCE, gl.GL_LUMINANCE_ALPHA):
+    elif format == gl.GL_STENCIL_INDEX:
+        pixels = m.device.read(x, y, width, height, "stencil")[..., None]
+        return _deliver(pixels.astype(dtype), type, array, outputType, width, height)
+    elif format in (gl.GL_COLOR_INDEX, gl.GL_LUMINANCE, gl.GL_LUMINANCE_ALPHA):
         raise NotImplementedError(f"glReadPixels of {format!r} is not in glsim yet")
     else:
         raise invalid_enum("format", format, "GL_RGB, GL_RGBA or GL_DEPTH_COMPONENT")
-    converted = _convert(pixels, dtype)
+    return _deliver(_convert(pixels, dtype), type, array, outputType, width, height)
+
+
+def _deliver(converted: Any, type: int, array: Any, outputType: Any, width: int, height: int) -> Any:
+    """Pixels (height, width, components) in the form that PyOpenGL returns."""
     if array is not None:
         np.copyto(np.asarray(array).reshape(converted.shape), converted)
         return array

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from glsim.gl.immediate import row
 from glsim.machine.assembly import MINIMUM
 from glsim.machine.constants import GL_POLYGON, GL_TEXTURE0
 from glsim.machine.errors import invalid_enum, invalid_operation
+from glsim.machine.frame import TEXTURE_UNITS
 from glsim.machine.machine import Machine
 
 
@@ -23,26 +25,24 @@ def glEnd(m: Machine) -> None:
 def glRect(m: Machine, x1: float, y1: float, x2: float, y2: float) -> None:
     m.begin(GL_POLYGON)
     color = (m.red, m.green, m.blue, m.alpha)
-    from glsim.gl.immediate import row
-
     for x, y in ((x1, y1), (x2, y1), (x2, y2), (x1, y2)):
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, *color))
     m.end()
 
 
 def glSecondaryColor(m: Machine, red: float, green: float, blue: float) -> None:
-    m.secondary_color = (float(red), float(green), float(blue), 1.0)
+    m.set_current("secondary_color", (float(red), float(green), float(blue), 1.0))
 
 
 def glMultiTexCoord(m: Machine, target: int, s: float, t: float = 0.0, r: float = 0.0, q: float = 1.0) -> None:
     unit = target - GL_TEXTURE0
-    if not 0 <= unit < len(m.texcoord):
-        raise invalid_enum("target", target, f"GL_TEXTURE0 to GL_TEXTURE{len(m.texcoord) - 1}")
-    m.texcoord[unit] = (float(s), float(t), float(r), float(q))
+    if not 0 <= unit < TEXTURE_UNITS:
+        raise invalid_enum("target", target, f"GL_TEXTURE0 to GL_TEXTURE{TEXTURE_UNITS - 1}")
+    m.set_current(f"texcoord{unit}", (float(s), float(t), float(r), float(q)))
 
 
 def glFogCoord(m: Machine, coord: float) -> None:
-    m.fog_coord = float(coord)
+    m.set_current("fog_coord", (float(coord),))
 
 
 def glIndex(m: Machine, c: float) -> None:
@@ -50,8 +50,8 @@ def glIndex(m: Machine, c: float) -> None:
 
 
 def glEdgeFlag(m: Machine, flag: bool) -> None:
-    m.edge_flag = bool(flag)
+    m.set_current("edge_flag", (float(bool(flag)),))
 
 
 def glEdgeFlagv(m: Machine, flag: object) -> None:
-    m.edge_flag = bool(flag[0] if hasattr(flag, "__getitem__") else flag)
+    glEdgeFlag(m, flag[0] if hasattr(flag, "__getitem__") else bool(flag))

@@ -3,8 +3,8 @@
 Flat shading takes a primitive's colour from its provoking vertex.  The GPU takes the LAST vertex of a triangle or
 line, so the index patterns put OpenGL's provoking vertex last: the last of a triangle, the fourth of a quad, the
 first of a polygon (table 2.12).  How a quad is cut into triangles is not specified.  Here it is as Mesa does it: along
-v0-v2, but along v1-v3 under flat shading, where both triangles must end in the fourth vertex, in glDrawElements, and
-under two-sided lighting.
+v0-v2, but along v1-v3 under flat shading, where both triangles must end in the fourth vertex, in glDrawElements, in
+display lists, and under two-sided lighting.
 """
 
 from __future__ import annotations
@@ -98,28 +98,24 @@ def _pattern(mode: int, count: int, last: bool) -> Indices:
 _small_pattern = lru_cache(maxsize=512)(_pattern)
 
 
-def edges(mode: int, count: int) -> Indices:
-    """Vertex numbers of the outline of each primitive, two for each edge: no diagonals of quads and polygons.
+def outlines(mode: int, count: int) -> tuple[Indices, Indices]:
+    """The polygons that ``count`` vertices make, for modes that make areas: (rings, provoking).
 
-    For modes that make triangles; ``count`` vertices.
+    rings: (n, corners) vertex numbers around each polygon; provoking: (n,) the vertex whose colour a flat one takes.
     """
     count = complete(mode, count)
-    if count == 0:
-        return np.empty(0, np.uint32)
     i = np.arange(count, dtype=np.uint32)
     if mode == GL_POLYGON:
-        return _pack(i, np.roll(i, -1))
+        return i[None] if count else i.reshape(0, 3), i[:1]
     if mode == GL_QUADS:
-        a = i[::4]
-        ring = (a, a + 1, a + 2, a + 3)
-    elif mode == GL_QUAD_STRIP:
+        rings = i.reshape(-1, 4)
+        return rings, rings[:, 3]
+    if mode == GL_QUAD_STRIP:
         a = i[:-2:2]
-        ring = (a, a + 1, a + 3, a + 2)
-    else:
-        triangles = assemble(mode, count, last=False)
-        a, b, c = (i if triangles is None else triangles).reshape(-1, 3).T
-        return _pack(a, b, b, c, c, a)
-    return _pack(ring[0], ring[1], ring[1], ring[2], ring[2], ring[3], ring[3], ring[0])
+        return np.stack([a, a + 1, a + 3, a + 2], axis=1), a + 3
+    triangles = assemble(mode, count, last=False)
+    rings = (i if triangles is None else triangles).reshape(-1, 3)
+    return rings, rings[:, 2]
 
 
 def _pack(*columns: Indices) -> Indices:

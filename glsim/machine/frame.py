@@ -14,27 +14,53 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.matrix import Matrix
-from glsim.machine.state import Material, Snapshot
+from glsim.machine.state import Color, Material, Snapshot
 
 # One vertex: position x y z, normal nx ny nz, colour r g b a, as float32.
 ROW = 10
 ROW_BYTES = 4 * ROW
 
 
+# Attributes that few programs change from vertex to vertex: their columns exist only where they vary.  Name: width.
+COLUMNS = {
+    "texcoord0": 4, "texcoord1": 4, "texcoord2": 4, "texcoord3": 4, "secondary_color": 4, "fog_coord": 1,
+    "edge_flag": 1, "w": 1,
+}  # fmt: skip
+TEXTURE_UNITS = 4
+
+
 class Vertices:
-    """The vertices between two flushes.
+    """The vertices between two flushes, or of a display list.
 
     rows: (n, 10) float32; columns 0:3 position, 3:6 normal, 6:10 colour.
-    w: (n,) float32, or None if every w is 1.
+    columns: other attributes by name (see COLUMNS), (n, width) float32, or (1, width) where all vertices agree.
     materials: (first vertex, material) for each glMaterial between glBegin and glEnd, in order.
+    static: the rows will be drawn again and again, so the GPU may keep them.
     """
 
-    __slots__ = ("materials", "rows", "w")
+    __slots__ = ("__weakref__", "columns", "materials", "rows", "static")
 
     def __init__(
-        self, rows: NDArray[np.float32], w: NDArray[np.float32] | None, materials: Sequence[tuple[int, Material]]
+        self,
+        rows: NDArray[np.float32],
+        columns: dict[str, NDArray[np.float32]],
+        materials: Sequence[tuple[int, Material]],
+        static: bool = False,
     ) -> None:
-        self.rows, self.w, self.materials = rows, w, materials
+        self.rows, self.columns, self.materials, self.static = rows, columns, materials, static
+
+    def column(self, name: str) -> NDArray[np.float32]:
+        """A column with a row for every vertex."""
+        values = self.columns[name]
+        return values if len(values) == len(self.rows) else np.repeat(values[:1], len(self.rows), axis=0)
+
+    def varies(self, name: str) -> bool:
+        return name in self.columns and len(self.columns[name]) > 1
+
+    def take(self, chosen: NDArray[Any], materials: Sequence[tuple[int, Material]] = ()) -> Vertices:
+        """Some of the vertices, in another order."""
+        columns = {name: values if len(values) == 1 else values[chosen] for name, values in self.columns.items()}
+        return Vertices(self.rows[chosen], columns, materials)
 
 
 class Draw:
@@ -44,9 +70,7 @@ class Draw:
     if there are any, make primitives of ``mode``.  ``matrices`` are the modelview and the projection.
     """
 
-    __slots__ = ("count", "first", "indices", "material", "matrices", "mode", "state", "vertices")
-
-    vertices: Vertices  # set when the vertices are complete, at the flush
+    __slots__ = ("color", "count", "first", "indices", "material", "matrices", "mode", "state", "vertices")
 
     def __init__(
         self,
@@ -57,15 +81,24 @@ class Draw:
         matrices: tuple[Matrix, Matrix],
         material: Material,
         state: Snapshot,
+        vertices: Vertices | None = None,
     ) -> None:
         self.mode, self.first, self.count, self.indices = mode, first, count, indices
         self.matrices, self.material, self.state = matrices, material, state
+        self.vertices = vertices
+        self.color: Color | None = None  # for all vertices, instead of their own: a display list that sets none
 
     def with_state(self, state: Snapshot) -> Draw:
         """The same geometry under another state."""
         draw = Draw(self.mode, self.first, self.count, self.indices, self.matrices, self.material, state)
-        draw.vertices = self.vertices
+        draw.vertices, draw.color = self.vertices, self.color
         return draw
+
+    @property
+    def block(self) -> Vertices:
+        """The vertices; they are there once the frame was flushed."""
+        assert self.vertices is not None
+        return self.vertices
 
 
 class Clear(NamedTuple):

@@ -78,10 +78,11 @@ def store(command: Command, values: list[str]) -> list[str]:
         lines = [f"m.write(row({x}, {y}, {z}, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))"]
         if w:
             lines.append(f"if {w[0]} != 1.0 and m.inside is not None:")
-            lines.append(f"    m.w_rows.append((m.stream.tell() // {4 * 10} - 1, {w[0]}))")
+            lines.append(f'    m.columns.append(("w", m.stream.tell() // {4 * 10} - 1, {w[0]}))')
         return lines
     if command.family == "glTexCoord":
-        return [f"m.texcoord[0] = ({', '.join([*values, *('0.0', '0.0', '0.0', '1.0')[len(values) :]])})"]
+        filled = ", ".join([*values, *("0.0", "0.0", "0.0", "1.0")[len(values) :]])
+        return [f"m.texcoord.append((m.stream.tell(), ({filled})))"]
     scale = SCALED.get(command.type, "{0}")
     if command.family == "glNormal":
         targets = ["m.nx", "m.ny", "m.nz"]

@@ -15,15 +15,22 @@ from numpy.typing import NDArray
 
 from glsim.machine.constants import GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE
 from glsim.machine.errors import invalid_operation
-from glsim.machine.frame import ROW, ROW_BYTES, Draw, Frame, Packet, Vertices
+from glsim.machine.frame import ROW, ROW_BYTES, TEXTURE_UNITS, Draw, Frame, Packet, Vertices
 from glsim.machine.matrix import Matrix, identity
 from glsim.machine.state import (
     ColorBuffer,
     Depth,
+    Fog,
     Lighting,
+    Line,
     Material,
+    Multisample,
+    Point,
     Polygon,
+    PolygonStipple,
+    Scissor,
     Snapshot,
+    Stencil,
     Transform,
     Viewport,
     take_groups,
@@ -33,6 +40,8 @@ from glsim.machine.state import (
 LARGE = 256 * 1024 * 1024
 
 # Depths of the matrix stacks; the specification's minimum is 32, 2 and 2.
+ATTRIB_STACK_DEPTH = 16
+MAX_LIST_NESTING = 64
 STACK_DEPTH: dict[int, int] = {GL_MODELVIEW: 64, GL_PROJECTION: 32, GL_TEXTURE: 32}
 
 
@@ -51,6 +60,25 @@ class Device(Protocol):
     def describe(self) -> dict[str, Any]: ...
 
 
+# An attribute that changes now and then: (position in the stream, value from there on).
+Track = list[tuple[int, tuple[float, ...]]]
+INITIAL: dict[str, tuple[float, ...]] = {
+    **{f"texcoord{unit}": (0.0, 0.0, 0.0, 1.0) for unit in range(TEXTURE_UNITS)},
+    "secondary_color": (0.0, 0.0, 0.0, 1.0),
+    "fog_coord": (0.0,),
+    "edge_flag": (1.0,),
+}
+
+
+def _column(track: Track, count: int) -> NDArray[np.float32]:
+    """A track as a column: (count, width), or (1, width) if it never changed."""
+    if len(track) == 1:
+        return np.array([track[0][1]], np.float32)
+    positions = np.array([position for position, _ in track]) // ROW_BYTES
+    values = np.array([value for _, value in track], np.float32)
+    return np.repeat(values, np.diff(np.append(positions, count)), axis=0)
+
+
 def _ignore(row: bytes) -> int:
     """Where glVertex writes outside of glBegin/glEnd: the specification leaves it undefined, drivers ignore it."""
     return 0
@@ -59,12 +87,15 @@ def _ignore(row: bytes) -> int:
 class Machine:
     """State of one context.  The short names at the top are what the hot commands of gl/immediate.py touch."""
 
-    __slots__ = (
-        "alpha", "begin_material", "blue", "busy", "capturing", "client", "color_buffer", "depth", "device",
-        "edge_flag", "first", "fog_coord", "green", "hints", "index", "inside", "lighting", "material", "materials",
-        "modelview", "nx", "ny", "nz", "packets", "pixel_store", "polygon", "projection", "recorder", "red",
-        "secondary_color", "stack", "stacks", "stream", "texcoord", "texture_stack", "transform", "viewport",
-        "w_rows", "write",
+    __slots__ = (  # noqa: RUF023
+        # registers: current values, vertices since the last flush, what is going on
+        "alpha", "attrib_stack", "begin_material", "blue", "busy", "capturing", "client", "client_attrib_stack",
+        "columns", "compiling", "device", "first", "green", "hints", "index", "inside", "list_base", "lists",
+        "materials", "modelview", "nesting", "nx", "ny", "nz", "packets", "pixel_store", "projection", "recorder",
+        "red", "stack", "stacks", "stream", "texcoord", "texture_stack", "tracks", "write",
+        # groups of state
+        "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",
+        "polygon_stipple", "scissor", "stencil", "transform", "viewport",
     )  # fmt: skip
 
     def __init__(self, device: Device) -> None:
@@ -78,22 +109,32 @@ class Machine:
         # current values, section 2.7
         self.nx, self.ny, self.nz = 0.0, 0.0, 1.0
         self.red = self.green = self.blue = self.alpha = 1.0
-        self.texcoord = [(0.0, 0.0, 0.0, 1.0)] * 8
-        self.secondary_color = (0.0, 0.0, 0.0, 1.0)
-        self.fog_coord = 0.0
         self.index = 1.0
-        self.edge_flag = True
+        self.tracks: dict[str, Track] = {name: [(0, value)] for name, value in INITIAL.items()}
         # groups
         self.lighting = Lighting()
-        self.material = Material()
         self.transform = Transform()
         self.viewport = Viewport(0, 0, self.device.width, self.device.height)
+        self.point = Point()
+        self.line = Line()
         self.polygon = Polygon()
+        self.polygon_stipple = PolygonStipple()
+        self.fog = Fog()
         self.depth = Depth()
+        self.stencil = Stencil()
         self.color_buffer = ColorBuffer()
+        self.scissor = Scissor(False, 0, 0, self.device.width, self.device.height)
+        self.multisample = Multisample()
+        self.material = Material()
         self.hints: dict[int, int] = {}
         self.pixel_store: dict[int, int] = {}
         self.client: dict[Any, Any] = {}
+        self.attrib_stack: list[Any] = []
+        self.client_attrib_stack: list[Any] = []
+        self.lists: dict[int, Any] = {}
+        self.list_base = 0
+        self.compiling: Any = None  # the ListRecorder between glNewList and glEndList
+        self.nesting = 0  # lists that are being called
         # matrices
         self.modelview, self.projection, self.texture_stack = [identity()], [identity()], [identity()]
         self.stacks: dict[int, list[Matrix]] = {
@@ -104,7 +145,8 @@ class Machine:
         self.stack = self.modelview
         # vertices and packets since the last flush
         self.inside: int | None = None
-        self.busy = self.recorder is not None
+        self.recorder = None
+        self.busy = False
         self.first = 0
         self.begin_material = self.material
         self.packets: list[Packet] = []
@@ -113,8 +155,24 @@ class Machine:
     def _new_stream(self) -> None:
         self.stream = io.BytesIO()
         self.materials: list[tuple[int, Material]] = []
-        self.w_rows: list[tuple[int, Any]] = []
+        self.columns: list[tuple[str, int, Any]] = []
+        self.tracks = {name: [(0, track[-1][1])] for name, track in self.tracks.items()}
+        self.texcoord = self.tracks["texcoord0"]
         self.write: Callable[[bytes], int] = _ignore
+
+    @property
+    def current(self) -> dict[str, tuple[float, ...]]:
+        """Current values of the attributes in COLUMNS."""
+        return {name: track[-1][1] for name, track in self.tracks.items()}
+
+    @current.setter
+    def current(self, values: dict[str, tuple[float, ...]]) -> None:
+        for name, value in values.items():
+            self.set_current(name, value)
+
+    def set_current(self, name: str, value: tuple[float, ...]) -> None:
+        """glTexCoord and the like: the value holds from the next vertex on."""
+        self.tracks[name].append((self.stream.tell(), value))
 
     # ------------------------------------------------------------ primitives
 
@@ -139,12 +197,17 @@ class Machine:
         if end > LARGE:
             self.flush()
 
-    def add_draw(self, mode: int, rows: NDArray[np.float32], w: Any, indices: NDArray[np.uint32] | None) -> None:
-        """A whole primitive at once: vertex arrays.  rows (n, 10) float32, w (n,) or None."""
+    def add_draw(
+        self,
+        mode: int,
+        rows: NDArray[np.float32],
+        columns: dict[str, NDArray[np.float32]],
+        indices: NDArray[np.uint32] | None,
+    ) -> None:
+        """A whole primitive at once: vertex arrays.  rows (n, 10) float32; columns (n, width) by name."""
         first = self.stream.tell() // ROW_BYTES
         self.stream.write(np.ascontiguousarray(rows, np.float32).data)
-        if w is not None:
-            self.w_rows.append((first, w))
+        self.columns += [(name, first, values) for name, values in columns.items()]
         transform = (self.modelview[-1], self.projection[-1])
         self.packets.append(Draw(mode, first, len(rows), indices, transform, self.material, self.snapshot()))
         if self.stream.tell() > LARGE:
@@ -159,23 +222,26 @@ class Machine:
         """Hand all packets to the device; nothing happens between glBegin and glEnd."""
         if not self.packets or self.inside is not None:
             return
-        vertices = self._take_vertices()
+        vertices = self.take_vertices()
         packets, self.packets = self.packets, []
         for packet in packets:
-            if type(packet) is Draw:
+            if type(packet) is Draw and packet.vertices is None:
                 packet.vertices = vertices
         if self.capturing is not None:
             self.capturing.packets += packets
         self.device.execute(packets)
 
-    def _take_vertices(self) -> Vertices:
+    def take_vertices(self) -> Vertices:
+        """What the stream holds, as arrays; the stream begins anew."""
         rows = np.frombuffer(self.stream.getbuffer(), np.float32).reshape(-1, ROW)
-        w = None
-        if self.w_rows:
-            w = np.ones(len(rows), np.float32)
-            for row, values in self.w_rows:
-                w[row : row + np.size(values)] = values
-        vertices = Vertices(rows, w, self.materials)
+        columns = {name: _column(track, len(rows)) for name, track in self.tracks.items()}
+        for name, first, values in self.columns:
+            if name not in columns or len(columns[name]) != len(rows):
+                start = columns.get(name, np.ones((1, 1), np.float32))
+                columns[name] = np.repeat(start[:1], len(rows), axis=0)
+            values = np.asarray(values, np.float32).reshape(-1, columns[name].shape[1])
+            columns[name][first : first + len(values)] = values
+        vertices = Vertices(rows, columns, self.materials)
         self._new_stream()
         return vertices
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from glsim.machine.commands import COMMANDS
 from glsim.machine.frame import Call
 from glsim.machine.machine import Machine
 
@@ -22,11 +23,64 @@ class Recorder:
 
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
         self.calls.append(Call(name, tuple(map(frozen, arguments))))
+        machine = self.machine
+        machine.record(None)
+        try:
+            return implementations[name](*arguments)
+        finally:
+            if isinstance(machine.recorder, ListRecorder):  # the call was glNewList
+                machine.recorder.outer = self
+            else:
+                machine.record(self)
+
+
+class ListRecorder:
+    """Between glNewList and glEndList: collects the commands that belong into the list.
+
+    execute: GL_COMPILE_AND_EXECUTE.  Vertex arrays are copied when they are drawn from: ``clients`` has the client
+    state for those calls, by their position.
+    """
+
+    def __init__(self, machine: Machine, number: int, execute: bool) -> None:
+        self.machine, self.number, self.execute = machine, number, execute
+        self.calls: list[Call] = []
+        self.clients: dict[int, dict[Any, Any]] = {}
+        self.outer: Recorder | None = None
+
+    def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
+        call = Call(name, tuple(map(frozen, arguments)))
+        if self.outer is not None:
+            self.outer.calls.append(call)
+        if not COMMANDS[name].listed:
+            return self._perform(name, arguments)
+        if name in ARRAY_CALLS:
+            self.clients[len(self.calls)] = copied(self.machine.client)
+        self.calls.append(call)
+        return self._perform(name, arguments) if self.execute else None
+
+    def _perform(self, name: str, arguments: tuple[Any, ...]) -> Any:
         self.machine.record(None)
         try:
             return implementations[name](*arguments)
         finally:
-            self.machine.record(self)
+            self.machine.record(self.outer if name == "glEndList" else self)
+
+
+ARRAY_CALLS = {
+    "glDrawArrays", "glDrawElements", "glDrawRangeElements", "glMultiDrawArrays", "glMultiDrawElements",
+    "glArrayElement",
+}  # fmt: skip
+
+
+def copied(client: dict[Any, Any]) -> dict[Any, Any]:
+    """Client state whose enabled arrays the program cannot change any more."""
+
+    def keep(state: Any) -> Any:
+        if not state.enabled or state.pointer.data is None:
+            return state
+        return state._replace(pointer=state.pointer._replace(data=np.array(state.pointer.data)))
+
+    return {array: keep(state) for array, state in client.items()}
 
 
 def frozen(argument: Any) -> Any:

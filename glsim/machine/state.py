@@ -13,16 +13,25 @@ from operator import attrgetter
 from typing import NamedTuple
 
 from glsim.machine.constants import (
+    GL_ALWAYS,
     GL_AMBIENT_AND_DIFFUSE,
     GL_BACK,
     GL_BLINN_TORRANCE_GLSIM,
     GL_CCW,
     GL_CLAMP_NORMAL_GLSIM,
+    GL_COPY,
+    GL_EXP,
+    GL_FILL,
+    GL_FRAGMENT_DEPTH,
     GL_FRONT_AND_BACK,
+    GL_FUNC_ADD,
+    GL_KEEP,
     GL_LESS,
     GL_MODELVIEW,
+    GL_ONE,
     GL_SINGLE_COLOR,
     GL_SMOOTH,
+    GL_ZERO,
 )
 
 Color = tuple[float, float, float, float]
@@ -30,6 +39,7 @@ BLACK: Color = (0.0, 0.0, 0.0, 1.0)
 WHITE: Color = (1.0, 1.0, 1.0, 1.0)
 
 MAX_LIGHTS = 8
+MAX_CLIP_PLANES = 6
 
 
 class Face(NamedTuple):
@@ -81,11 +91,13 @@ class Lighting(NamedTuple):
 
 
 class Transform(NamedTuple):
-    """Group GL_TRANSFORM_BIT."""
+    """Group GL_TRANSFORM_BIT; clip planes are in eye space."""
 
     matrix_mode: int = GL_MODELVIEW
     normalize: bool = False
     rescale_normal: bool = False
+    clip_enabled: tuple[bool, ...] = (False,) * MAX_CLIP_PLANES
+    clip_planes: tuple[Color, ...] = ((0.0, 0.0, 0.0, 0.0),) * MAX_CLIP_PLANES
 
 
 class Viewport(NamedTuple):
@@ -99,12 +111,62 @@ class Viewport(NamedTuple):
     far: float = 1.0
 
 
+class Point(NamedTuple):
+    """Group GL_POINT_BIT; sizes in pixels, distance_attenuation as 1 / sqrt(a + b d + c d^2)."""
+
+    size: float = 1.0
+    smooth: bool = False
+    size_min: float = 0.0
+    size_max: float = 255.0
+    fade_threshold: float = 1.0
+    distance_attenuation: tuple[float, float, float] = (1.0, 0.0, 0.0)
+
+
+class Line(NamedTuple):
+    """Group GL_LINE_BIT; width in pixels."""
+
+    width: float = 1.0
+    smooth: bool = False
+    stipple: bool = False
+    stipple_factor: int = 1
+    stipple_pattern: int = 0xFFFF
+
+
 class Polygon(NamedTuple):
     """Group GL_POLYGON_BIT."""
 
     cull: bool = False
     cull_face: int = GL_BACK
     front_face: int = GL_CCW
+    front_mode: int = GL_FILL
+    back_mode: int = GL_FILL
+    smooth: bool = False
+    stipple: bool = False
+    offset_fill: bool = False
+    offset_line: bool = False
+    offset_point: bool = False
+    offset_factor: float = 0.0
+    offset_units: float = 0.0
+
+
+class PolygonStipple(NamedTuple):
+    """Group GL_POLYGON_STIPPLE_BIT: 32 rows, bottom first, the leftmost pixel in the highest bit."""
+
+    rows: tuple[int, ...] = (0xFFFFFFFF,) * 32
+
+
+class Fog(NamedTuple):
+    """Group GL_FOG_BIT."""
+
+    enabled: bool = False
+    color: Color = (0.0, 0.0, 0.0, 0.0)
+    mode: int = GL_EXP
+    density: float = 1.0
+    start: float = 0.0
+    end: float = 1.0
+    coordinate_source: int = GL_FRAGMENT_DEPTH
+    color_sum: bool = False
+    color_index: float = 0.0
 
 
 class Depth(NamedTuple):
@@ -116,13 +178,56 @@ class Depth(NamedTuple):
     clear: float = 1.0
 
 
+class Stencil(NamedTuple):
+    """Group GL_STENCIL_BUFFER_BIT."""
+
+    test: bool = False
+    func: int = GL_ALWAYS
+    reference: int = 0
+    value_mask: int = 0xFFFFFFFF
+    write_mask: int = 0xFFFFFFFF
+    fail: int = GL_KEEP
+    depth_fail: int = GL_KEEP
+    depth_pass: int = GL_KEEP
+    clear: int = 0
+
+
 class ColorBuffer(NamedTuple):
     """Group GL_COLOR_BUFFER_BIT."""
 
     mask: tuple[bool, bool, bool, bool] = (True, True, True, True)
     clear: Color = (0.0, 0.0, 0.0, 0.0)
     dither: bool = True
-    multisample: bool = True
+    alpha_test: bool = False
+    alpha_func: int = GL_ALWAYS
+    alpha_reference: float = 0.0
+    blend: bool = False
+    blend_equation: int = GL_FUNC_ADD
+    blend_function: tuple[int, int, int, int] = (GL_ONE, GL_ZERO, GL_ONE, GL_ZERO)  # rgb source, destination; alpha
+    blend_color: Color = (0.0, 0.0, 0.0, 0.0)
+    logic_op_enabled: bool = False
+    logic_op: int = GL_COPY
+
+
+class Scissor(NamedTuple):
+    """Group GL_SCISSOR_BIT; in pixels."""
+
+    test: bool = False
+    x: int = 0
+    y: int = 0
+    width: int = 0
+    height: int = 0
+
+
+class Multisample(NamedTuple):
+    """Group GL_MULTISAMPLE_BIT."""
+
+    enabled: bool = True
+    alpha_to_coverage: bool = False
+    alpha_to_one: bool = False
+    coverage: bool = False
+    coverage_value: float = 1.0
+    coverage_invert: bool = False
 
 
 class Snapshot(NamedTuple):
@@ -131,9 +236,16 @@ class Snapshot(NamedTuple):
     lighting: Lighting
     transform: Transform
     viewport: Viewport
+    point: Point
+    line: Line
     polygon: Polygon
+    polygon_stipple: PolygonStipple
+    fog: Fog
     depth: Depth
+    stencil: Stencil
     color_buffer: ColorBuffer
+    scissor: Scissor
+    multisample: Multisample
 
 
 take_groups: Callable[[object], tuple[object, ...]] = attrgetter(*Snapshot._fields)

@@ -1,13 +1,15 @@
 """Planning: which Draws go to the GPU together.
 
 Neighbouring Draws that make the same kind of primitive under the same state differ only in matrices and materials.
-Those become rows of two buffers, each vertex carries the number of its row, and the Draws become one.
+Those become rows of two buffers, each vertex carries the number of its row, and the Draws become one.  Draws of the
+same display list become instances of one.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import groupby
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,15 +18,28 @@ from glsim.machine.assembly import SEPARATE, assemble, complete, corners
 from glsim.machine.constants import GL_FLAT, GL_LINES, GL_POINTS, GL_TRIANGLES
 from glsim.machine.frame import Draw, Vertices
 from glsim.machine.matrix import Matrix
-from glsim.machine.state import Material, Snapshot
+from glsim.machine.state import Color, Material, Snapshot
 
 Uint32 = NDArray[np.uint32]
 
 # Draws with more vertices than this are not merged with others: reading a row for each vertex would cost more than
-# the call it saves (tests/benchmarks/merge.py).
+# the call it saves.
 MERGE_BELOW = 4096
 
-Object = tuple[tuple[Matrix, Matrix], Material]
+PLAIN = {1: GL_POINTS, 2: GL_LINES, 3: GL_TRIANGLES}
+
+
+@dataclass(frozen=True, eq=False)
+class Object:
+    """What Draws of one batch may differ in: a row of the Transforms and of the Materials."""
+
+    matrices: tuple[Matrix, Matrix]
+    material: Material
+    color: Color | None
+
+    def same(self, other: Object) -> bool:
+        a, b = self.matrices, other.matrices
+        return a[0] is b[0] and a[1] is b[1] and self.material is other.material and self.color is other.color
 
 
 @dataclass
@@ -43,32 +58,78 @@ class Batch:
 
 @dataclass
 class Plan:
-    """All batches of consecutive Draws over one block of vertices."""
+    """Consecutive batches over one block of vertices.
+
+    rows: object of each vertex relative to its batch, empty if all are 0; indices: of all batches.
+    instances: each batch draws all its indices once for every object.
+    """
 
     vertices: Vertices
-    objects: list[Object] = field(default_factory=list)
     batches: list[Batch] = field(default_factory=list)
-    rows: Uint32 = field(default_factory=lambda: np.empty(0, np.uint32))  # object of each vertex, relative to the batch
+    rows: Uint32 = field(default_factory=lambda: np.empty(0, np.uint32))
     indices: Uint32 = field(default_factory=lambda: np.empty(0, np.uint32))
+    instances: bool = False
 
 
-def plan(draws: Sequence[Draw], limit: int) -> Plan:
-    """Group ``draws``, which share one Vertices; no batch has more than ``limit`` objects (see ``separate``)."""
-    result = Plan(draws[0].vertices)
+def plans(draws: Sequence[Draw], limit: int) -> tuple[list[Object], list[Plan]]:
+    """All objects that ``draws`` use, and how to draw them; no batch has more than ``limit`` objects."""
+    objects: list[Object] = []
+    result = []
+    for _, group in groupby(draws, key=_grouping):
+        members = list(group)
+        if members[0].block.static:
+            result.append(_instances(members, limit, objects))
+            continue
+        parts = [part for draw in members for part in separate(draw, limit)]
+        result += [plan(list(same), limit, objects) for _, same in groupby(parts, key=lambda draw: id(draw.vertices))]
+    return objects, result
+
+
+def _grouping(draw: Draw) -> tuple[int, int]:
+    """Draws of one block belong together; of a static one only those that draw the same of it."""
+    return id(draw.vertices), id(draw.indices) if draw.block.static else 0
+
+
+def _instances(draws: list[Draw], limit: int, objects: list[Object]) -> Plan:
+    first = draws[0]
+    indices = _assembled(first, first.first, first.count, keep=True)
+    result = Plan(first.block, indices=indices, instances=True)
+    for draw in draws:
+        batch = result.batches[-1] if result.batches else None
+        same_part = batch is not None and (batch.draws[0].first, batch.draws[0].count, batch.draws[0].mode) == (
+            draw.first, draw.count, draw.mode,
+        )  # fmt: skip
+        if batch is None or not same_part or batch.objects >= limit or batch.state != draw.state:
+            batch = Batch(draw.state, corners(draw.mode), draw.block, len(objects), 0, [draw], 0, len(indices))
+            if result.batches and not same_part:  # another part of the list, drawn without merging
+                chosen = _assembled(draw, draw.first, draw.count)
+                batch.start, batch.count = len(result.indices), len(chosen)
+                result.indices = np.concatenate([result.indices, chosen])
+            elif result.batches:
+                batch.start, batch.count = result.batches[-1].start, result.batches[-1].count
+            result.batches.append(batch)
+        objects.append(Object(draw.matrices, draw.material, draw.color))
+        batch.objects += 1
+    return result
+
+
+def plan(draws: Sequence[Draw], limit: int, objects: list[Object]) -> Plan:
+    """Group ``draws``, which share one Vertices, and append their objects (see ``separate``)."""
+    result = Plan(draws[0].block)
     spans: list[tuple[int, int, int]] = []  # first vertex, end, object relative to the batch
     batch: Batch | None = None
     for draw in draws:
         changes = _material_changes(draw)
         if batch is None or not _fits(batch, draw, len(changes), limit):
-            batch = Batch(draw.state, corners(draw.mode), draw.vertices, len(result.objects), 0, [])
+            batch = Batch(draw.state, corners(draw.mode), draw.block, len(objects), 0, [])
             result.batches.append(batch)
         batch.draws.append(draw)
-        row = _row(result, batch, (draw.matrices, draw.material))
+        row = _row(objects, batch, Object(draw.matrices, draw.material, draw.color))
         first, known = draw.first, {draw.material: row}
         for vertex, material in changes:
             spans.append((first, vertex, row))
             if material not in known:
-                known[material] = _row(result, batch, (draw.matrices, material))
+                known[material] = _row(objects, batch, Object(draw.matrices, material, draw.color))
             first, row = vertex, known[material]
         spans.append((first, draw.first + draw.count, row))
     chunks = [_indices(batch) for batch in result.batches]
@@ -89,13 +150,14 @@ def _fits(batch: Batch, draw: Draw, changes: int, limit: int) -> bool:
         and batch.objects + changes < limit
         and batch.corners == corners(draw.mode)
         and batch.state == draw.state
+        and (batch.draws[-1].color is None) == (draw.color is None)
     )
 
 
-def _row(plan: Plan, batch: Batch, thing: Object) -> int:
+def _row(objects: list[Object], batch: Batch, thing: Object) -> int:
     """The row of an object in the batch; the last row serves again if it is the same."""
-    if not batch.objects or not _same(plan.objects[-1], thing):
-        plan.objects.append(thing)
+    if not batch.objects or not objects[-1].same(thing):
+        objects.append(thing)
         batch.objects += 1
     return batch.objects - 1
 
@@ -107,29 +169,27 @@ def separate(draw: Draw, limit: int) -> list[Draw]:
         return [draw]
     size = corners(draw.mode)
     chosen = _assembled(draw, draw.first, draw.count)
-    old = draw.vertices
-    firsts = np.array([vertex for vertex, _ in changes])
-    materials = [draw.material, *(material for _, material in changes)]
-    used = [materials[k] for k in np.searchsorted(firsts, chosen, side="right")]
-    vertices = Vertices(old.rows[chosen], None if old.w is None else old.w[chosen], list(enumerate(used)))
-    mode = {1: GL_POINTS, 2: GL_LINES, 3: GL_TRIANGLES}[size]
+    used = materials_of(draw, chosen)
+    vertices = draw.block.take(chosen, list(enumerate(used)))
     step = (limit - 1) // size * size
     parts = []
     for first in range(0, len(chosen), step):
         count = min(step, len(chosen) - first)
-        part = Draw(mode, first, count, None, draw.matrices, used[first], draw.state)
-        part.vertices = vertices
-        parts.append(part)
+        parts.append(Draw(PLAIN[size], first, count, None, draw.matrices, used[first], draw.state, vertices))
     return parts
 
 
-def _same(a: Object, b: Object) -> bool:
-    return a[0][0] is b[0][0] and a[0][1] is b[0][1] and a[1] is b[1]
+def materials_of(draw: Draw, chosen: Uint32) -> list[Material]:
+    """The material at each of some vertices of a Draw."""
+    changes = _material_changes(draw)
+    materials = [draw.material, *(material for _, material in changes)]
+    firsts = np.array([vertex for vertex, _ in changes])
+    return [materials[k] for k in np.searchsorted(firsts, chosen, side="right")]
 
 
 def _material_changes(draw: Draw) -> list[tuple[int, Material]]:
     """glMaterial between this Draw's glBegin and glEnd: (first vertex, material), the last one for each vertex."""
-    changes = draw.vertices.materials
+    changes = draw.block.materials
     if not changes or draw.indices is not None:
         return []
     inside = {vertex: material for vertex, material in changes if draw.first <= vertex < draw.first + draw.count}
@@ -167,7 +227,12 @@ def _continues(draw: Draw, mode: int, end: int) -> bool:
     return draw.mode == mode and draw.indices is None and draw.first == end and whole
 
 
-def _assembled(draw: Draw, first: int, count: int) -> Uint32:
+def assembled(draw: Draw) -> Uint32:
+    """The vertices of a Draw's triangles, lines or points, as numbers in its block."""
+    return _assembled(draw, draw.first, draw.count)
+
+
+def _assembled(draw: Draw, first: int, count: int, keep: bool = False) -> Uint32:
     lighting = draw.state.lighting
     last = lighting.shade_model == GL_FLAT or (lighting.enabled and lighting.two_side) or draw.indices is not None
     if draw.indices is None:
@@ -176,5 +241,7 @@ def _assembled(draw: Draw, first: int, count: int) -> Uint32:
             return np.arange(first, first + complete(draw.mode, count), dtype=np.uint32)
         return pattern + np.uint32(first)
     pattern = assemble(draw.mode, len(draw.indices), last)
+    if pattern is None and keep and first == 0 and complete(draw.mode, len(draw.indices)) == len(draw.indices):
+        return draw.indices  # the very same array, by which the GPU's copy is found again
     chosen = draw.indices[: complete(draw.mode, len(draw.indices))] if pattern is None else draw.indices[pattern]
     return chosen + np.uint32(first)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
+from glsim.machine.constants import (
+    GL_DEPTH_COMPONENT,
+    GL_FLOAT,
+    GL_PACK_ALIGNMENT,
+    GL_RGBA,
+    GL_SCISSOR_TEST,
+    GL_STENCIL_INDEX,
+    GL_UNSIGNED_BYTE,
+)
 from glsim.machine.current import current_machine, make_current
 from glsim.machine.frame import Packet
 from glsim.machine.machine import Machine
@@ -21,7 +31,14 @@ if TYPE_CHECKING:
     import PIL.Image
 
 LARGEST = 16384
-GL_RGBA, GL_UNSIGNED_BYTE, GL_DEPTH_COMPONENT, GL_FLOAT, GL_PACK_ALIGNMENT = 0x1908, 0x1401, 0x1902, 0x1406, 0x0D05
+GL_FRAMEBUFFER, GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT = 0x8D40, 0x8D41, 0x88F0, 0x821A
+GL_ALL_BUFFERS = 0x4500
+# what `read` can read: format, type
+READABLE: dict[str, tuple[int, int]] = {
+    "color": (GL_RGBA, GL_UNSIGNED_BYTE),
+    "depth": (GL_DEPTH_COMPONENT, GL_FLOAT),
+    "stencil": (GL_STENCIL_INDEX, GL_UNSIGNED_BYTE),
+}
 
 
 class Offscreen:
@@ -40,9 +57,9 @@ class Offscreen:
         self.backend, self._loader = open_loader(backend)
         self.ctx = moderngl.create_context(context=self._loader, require=330)
         self.samples = self._samples(samples)
+        self._raw = RawGL(self._loader)
         self._target = self._framebuffer(self.samples)
         self._resolved = self._framebuffer(0) if self.samples else self._target
-        self._raw = RawGL(self._loader)
         self._renderer = Renderer(self.ctx, self._raw)
         self._previous: list[Any] = []
         self.machine = Machine(self)
@@ -55,11 +72,30 @@ class Offscreen:
         return int(wanted)
 
     def _framebuffer(self, samples: int) -> moderngl.Framebuffer:
-        size = (self.width, self.height)
-        color = self.ctx.renderbuffer(size, 4, samples=samples)
-        framebuffer = self.ctx.framebuffer(color, self.ctx.depth_renderbuffer(size, samples=samples))
-        framebuffer.clear()
+        """Colour of 8 bits each, depth of 24 and stencil of 8 bits."""
+        size, raw = (self.width, self.height), self._raw
+        framebuffer = self.ctx.framebuffer(self.ctx.renderbuffer(size, 4, samples=samples))
+        framebuffer.use()
+        name = ctypes.c_uint()
+        raw.glGenRenderbuffers(1, ctypes.byref(name))
+        raw.glBindRenderbuffer(GL_RENDERBUFFER, name.value)
+        raw.glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH24_STENCIL8, *size)
+        raw.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, name.value)
+        self._clear(framebuffer)
         return framebuffer
+
+    def _clear(self, framebuffer: moderngl.Framebuffer) -> None:
+        """Black, transparent, far away."""
+        framebuffer.use()
+        raw = self._raw
+        raw.glDisable(GL_SCISSOR_TEST)
+        raw.glColorMask(1, 1, 1, 1)
+        raw.glDepthMask(1)
+        raw.glStencilMask(0xFFFFFFFF)
+        raw.glClearColor(0.0, 0.0, 0.0, 0.0)
+        raw.glClearDepth(1.0)
+        raw.glClearStencil(0)
+        raw.glClear(GL_ALL_BUFFERS)
 
     # ------------------------------------------------------------ current context
 
@@ -96,19 +132,19 @@ class Offscreen:
         self._renderer.busy = False
 
     def read(self, x: int, y: int, width: int, height: int, what: str) -> NDArray[Any]:
-        """Pixels of a rectangle, bottom row first: "color" (height, width, 4) uint8, "depth" (height, width) float32.
+        """Pixels of a rectangle, bottom row first; outside of the picture they are 0.
 
-        Pixels outside of the picture are 0.
+        what: "color" (height, width, 4) uint8, "depth" (height, width) float32 or "stencil" (height, width) uint8.
         """
+        format, kind = READABLE[what]
+        dtype = np.float32 if kind == GL_FLOAT else np.uint8
+        pixels = np.zeros((height, width, 4) if what == "color" else (height, width), dtype)
         with self.ctx:
             if self.samples and what == "color":
                 self.ctx.copy_framebuffer(self._resolved, self._target)
             self._resolved.use()
             self._raw.glPixelStorei(GL_PACK_ALIGNMENT, 1)
-            color = what == "color"
-            pixels = np.zeros((height, width, 4), np.uint8) if color else np.zeros((height, width), np.float32)
-            kind = (GL_RGBA, GL_UNSIGNED_BYTE) if color else (GL_DEPTH_COMPONENT, GL_FLOAT)
-            self._raw.glReadPixels(x, y, width, height, *kind, pixels.ctypes.data)
+            self._raw.glReadPixels(x, y, width, height, format, kind, pixels.ctypes.data)
         self._renderer.busy = False
         return pixels
 
@@ -151,9 +187,7 @@ class Offscreen:
         self.machine.reset()
         with self.ctx:
             for framebuffer in {self._target, self._resolved}:
-                framebuffer.depth_mask = True
-                framebuffer.color_mask = (True, True, True, True)
-                framebuffer.clear()
+                self._clear(framebuffer)
 
     def _repr_png_(self) -> bytes | None:
         return self.image()._repr_png_()

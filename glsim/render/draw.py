@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import weakref
 from collections.abc import Iterable, Sequence
 from itertools import groupby
 from typing import Any
@@ -11,11 +12,26 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.constants import GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER
+from glsim.machine.constants import (
+    GL_BLEND,
+    GL_CLIP_PLANE0,
+    GL_COLOR_LOGIC_OP,
+    GL_CULL_FACE,
+    GL_DEPTH_TEST,
+    GL_DITHER,
+    GL_MULTISAMPLE,
+    GL_POLYGON_OFFSET_FILL,
+    GL_SAMPLE_ALPHA_TO_COVERAGE,
+    GL_SAMPLE_ALPHA_TO_ONE,
+    GL_SAMPLE_COVERAGE,
+    GL_SCISSOR_TEST,
+    GL_STENCIL_TEST,
+)
 from glsim.machine.frame import Clear, Draw, Packet, Vertices
 from glsim.machine.matrix import evaluate, inverse_transpose, multiply
-from glsim.machine.state import Light, Lighting, Material, Snapshot
-from glsim.render.batch import Batch, Object, Plan, plan, separate
+from glsim.machine.state import ColorBuffer, Light, Lighting, Material, Snapshot
+from glsim.render.batch import Batch, Object, Plan, plans
+from glsim.render.outline import line_width, prepare
 from glsim.render.programs import BINDINGS, ProgramKey, build, program_key
 from glsim.render.raw import RawGL
 
@@ -23,7 +39,66 @@ LAST_VERTEX_CONVENTION = 0x8E4E
 PRIMITIVES = {1: moderngl.POINTS, 2: moderngl.LINES, 3: moderngl.TRIANGLES}
 ROW_SIZE = 256  # of a Transform and of a Material in shaders/state.glsl
 LIGHTS_SIZE = 1024
+RASTER_SIZE = 320
+PROGRAM_POINT_SIZE = 0x8642
 CORE_BITS = 0x4000 | 0x100 | 0x400  # colour, depth and stencil; there is no accumulation buffer in the core profile
+
+
+# Inputs of main.vert beside position, normal and color: how they lie in a buffer, and where they come from.
+INPUTS = {
+    "position_w": ("1f", "w"),
+    "secondary_color": ("4f", "secondary_color"),
+    "fog_coord": ("1f", "fog_coord"),
+    "other_end": ("4f", "other_end"),
+    "line_side": ("1f", "line_side"),
+    "line_start": ("1f", "line_start"),
+}
+
+
+class Source:
+    """Buffers with vertices and indices, and the vertex arrays over them.
+
+    The renderer has one that every plan overwrites, and one for each block of vertices of a display list, kept as
+    long as the list.
+    """
+
+    def __init__(self, ctx: moderngl.Context) -> None:
+        self.ctx = ctx
+        self.buffers: dict[str, moderngl.Buffer] = {}
+        self.vertex_arrays: dict[ProgramKey, moderngl.VertexArray] = {}
+        self.indices: weakref.ref[Any] | None = None  # what the index buffer holds, if it is kept
+        self.columns: set[str] = set()  # which columns are there
+
+    def write(self, name: str, data: NDArray[Any], busy: bool) -> None:
+        """Replace a buffer's content.  While the GPU may still read the old one it gets new memory."""
+        data = np.ascontiguousarray(data)
+        buffer = self.buffers.get(name)
+        if buffer is None:
+            buffer = self.buffers[name] = self.ctx.buffer(reserve=max(data.nbytes, 1024), dynamic=True)
+        elif busy or buffer.size < data.nbytes:
+            buffer.orphan(max(buffer.size, data.nbytes))
+        if data.nbytes:
+            buffer.write(data)
+
+    def fill(self, vertices: Vertices, program: moderngl.Program, busy: bool) -> None:
+        """Write the columns that the program reads and that are not there yet."""
+        for name, (_, column) in INPUTS.items():
+            if name in program and column not in self.columns:
+                self.write(name, vertices.column(column), busy)
+                self.columns.add(column)
+
+    def vertex_array(self, key: ProgramKey, program: moderngl.Program, per: str) -> moderngl.VertexArray:
+        """per: "/v" if objects are numbered per vertex, "/i" if per instance."""
+        if key not in self.vertex_arrays:
+            inputs = [("3f", "position"), ("3f", "normal"), ("4f", "color")]
+            layout = " ".join(form if name in program else f"{4 * int(form[0])}x" for form, name in inputs)
+            content: list[Any] = [(self.buffers["rows"], layout, *(name for _, name in inputs if name in program))]
+            content += [(self.buffers[name], form, name) for name, (form, _) in INPUTS.items() if name in program]
+            if "object" in program:
+                content.append((self.buffers["object"], "1u4" + per, "object"))
+            indices = self.buffers["indices"]
+            self.vertex_arrays[key] = self.ctx.vertex_array(program, content, index_buffer=indices)
+        return self.vertex_arrays[key]
 
 
 class Renderer:
@@ -33,11 +108,13 @@ class Renderer:
         self.ctx, self.raw = ctx, raw
         self.limit = min(ctx.info["GL_MAX_UNIFORM_BLOCK_SIZE"], 65536) // ROW_SIZE
         self.programs: dict[ProgramKey, moderngl.Program] = {}
-        self.vertex_arrays: dict[ProgramKey, moderngl.VertexArray] = {}
-        self.buffers = {name: ctx.buffer(reserve=1024, dynamic=True) for name in ("rows", "w", "object", "indices")}
+        self.stream = Source(ctx)
+        self.static: weakref.WeakKeyDictionary[Vertices, Source] = weakref.WeakKeyDictionary()
         self.uniforms = {name: ctx.buffer(reserve=1024, dynamic=True) for name in BINDINGS}
+        self.numbers = np.arange(self.limit, dtype=np.uint32)
         self.uploaded_lights: Lighting | None = None
-        self.fixed: Snapshot | None = None
+        self.uploaded_raster: tuple[Any, ...] = ()
+        self.fixed: tuple[Snapshot, int] | None = None
         self.busy = False  # whether the GPU may still read the buffers
 
     # ------------------------------------------------------------ packets
@@ -45,7 +122,7 @@ class Renderer:
     def execute(self, packets: Iterable[Packet]) -> None:
         """Draw; the context must be current and the framebuffer bound."""
         self.fixed = None  # somebody else may have changed the driver's state since
-        for _, group in groupby(packets, key=_kind):
+        for _, group in groupby(packets, key=type):
             run = list(group)
             if isinstance(run[0], Clear):
                 for packet in run:
@@ -55,37 +132,48 @@ class Renderer:
 
     def _clear(self, packet: Clear) -> None:
         state, raw = packet.state, self.raw
-        self._apply(state)
-        raw.glColorMask(*state.color_buffer.mask)
+        self._apply(state, 3)
         raw.glDepthMask(state.depth.mask)
         raw.glClearColor(*state.color_buffer.clear)
         raw.glClearDepth(state.depth.clear)
+        raw.glClearStencil(state.stencil.clear)
         raw.glClear(packet.mask & CORE_BITS)
 
     def _draw(self, draws: Sequence[Draw]) -> None:
-        for _, group in groupby((part for draw in draws for part in separate(draw, self.limit)), key=_vertices):
-            todo = plan(list(group), self.limit)
-            many = len(todo.rows) > 0
-            self._upload(todo)
-            for batch in todo.batches:
+        objects, todo = plans(list(prepare(draws)), self.limit)
+        room = (len(objects) + self.limit) * ROW_SIZE  # a block always has `limit` rows, wherever it begins
+        self._write("Transforms", transforms(objects), room)
+        self._write("Materials", materials(objects), room)
+        for part in todo:
+            source = self._kept(part) if part.instances else self._streamed(part)
+            for batch in part.batches:
                 if batch.count:
-                    self._draw_batch(batch, many and batch.objects > 1)
+                    self._draw_batch(batch, part, source)
             self.busy = True
 
-    def _draw_batch(self, batch: Batch, many: bool) -> None:
-        self._apply(batch.state)
-        self._upload_lights(batch.state.lighting)
-        key = program_key(batch.state)._replace(
-            has_w=batch.vertices.w is not None, points=batch.corners == 1, objects=self.limit if many else 1
+    def _draw_batch(self, batch: Batch, part: Plan, source: Source) -> None:
+        state, columns = batch.state, batch.vertices.columns
+        wide = "line_side" in columns
+        many = batch.objects > 1 and (part.instances or len(part.rows) > 0)
+        key = program_key(state, batch.corners)._replace(
+            wide_lines=wide,
+            has_w="w" in columns,
+            object_color=batch.draws[0].color is not None,
+            objects=self.limit if many else 1,
         )
+        self._apply(state, 2 if wide else batch.corners)
+        self._upload_lights(state.lighting)
+        self._upload_raster(state)
         for name in ("Transforms", "Materials"):
             size = ROW_SIZE * key.objects
             self.uniforms[name].bind_to_uniform_block(BINDINGS[name], offset=ROW_SIZE * batch.base, size=size)
-        self.uniforms["Lights"].bind_to_uniform_block(BINDINGS["Lights"], size=LIGHTS_SIZE)
-        if key.points:
-            width, height = batch.state.viewport[2:4]
-            self.program(key)["point_shift"] = 2.002 / 256 / max(width, 1), 1.998 / 256 / max(height, 1)
-        self.vertex_array(key).render(PRIMITIVES[batch.corners], vertices=batch.count, first=batch.start)
+        for name, size in (("Lights", LIGHTS_SIZE), ("Raster", RASTER_SIZE)):
+            self.uniforms[name].bind_to_uniform_block(BINDINGS[name], size=size)
+        program = self.program(key)
+        source.fill(batch.vertices, program, self.busy)
+        array = source.vertex_array(key, program, "/i" if part.instances else "/v")
+        mode = moderngl.TRIANGLES if wide else PRIMITIVES[batch.corners]
+        array.render(mode, vertices=batch.count, first=batch.start, instances=batch.objects if part.instances else 1)
 
     # ------------------------------------------------------------ programs and buffers
 
@@ -94,82 +182,110 @@ class Renderer:
             self.programs[key] = build(self.ctx, key)
         return self.programs[key]
 
-    def vertex_array(self, key: ProgramKey) -> moderngl.VertexArray:
-        if key not in self.vertex_arrays:
-            program = self.program(key)
-            inputs = [("3f", "position"), ("3f", "normal"), ("4f", "color")]
-            layout = " ".join(form if name in program else f"{4 * int(form[0])}x" for form, name in inputs)
-            content: list[Any] = [(self.buffers["rows"], layout, *(name for _, name in inputs if name in program))]
-            if "position_w" in program:
-                content.append((self.buffers["w"], "1f", "position_w"))
-            if "object" in program:
-                content.append((self.buffers["object"], "1u4", "object"))
-            self.vertex_arrays[key] = self.ctx.vertex_array(program, content, index_buffer=self.buffers["indices"])
-        return self.vertex_arrays[key]
+    def _streamed(self, part: Plan) -> Source:
+        """The buffers that are written anew for each plan."""
+        source = self.stream
+        source.write("rows", part.vertices.rows, self.busy)
+        source.write("indices", part.indices, self.busy)
+        if len(part.rows) or "object" not in source.buffers:
+            source.write("object", part.rows, self.busy)
+        source.columns.clear()
+        return source
 
-    def _write(self, buffer: moderngl.Buffer, data: NDArray[Any], room: int = 0) -> None:
-        """Replace a buffer's content, with ``room`` bytes at least.
+    def _kept(self, part: Plan) -> Source:
+        """The buffers of a display list: written once."""
+        source = self.static.get(part.vertices)
+        if source is None:
+            source = self.static[part.vertices] = Source(self.ctx)
+            source.write("rows", part.vertices.rows, False)
+            source.write("object", self.numbers, False)
+        if source.indices is None or source.indices() is not part.indices:
+            source.write("indices", part.indices, self.busy)
+            source.indices = weakref.ref(part.indices)
+        return source
 
-        While the GPU may still read the old content the buffer gets new memory, so that nobody waits.
-        """
-        data = np.ascontiguousarray(data)
-        size = max(room, data.nbytes)
+    def _write(self, name: str, data: NDArray[Any], room: int = 0) -> None:
+        """Replace a uniform buffer's content, with ``room`` bytes at least."""
+        buffer, size = self.uniforms[name], max(room, data.nbytes)
         if self.busy or buffer.size < size:
             buffer.orphan(max(buffer.size, size))
-        if data.nbytes:
-            buffer.write(data)
-
-    def _upload(self, todo: Plan) -> None:
-        self._write(self.buffers["rows"], todo.vertices.rows)
-        self._write(self.buffers["indices"], todo.indices)
-        if todo.vertices.w is not None:
-            self._write(self.buffers["w"], todo.vertices.w)
-        if len(todo.rows):
-            self._write(self.buffers["object"], todo.rows)
-        room = len(todo.objects) + self.limit  # a block always has `limit` rows, wherever it begins
-        self._write(self.uniforms["Transforms"], transforms(todo.objects), room * ROW_SIZE)
-        self._write(self.uniforms["Materials"], materials(todo.objects), room * ROW_SIZE)
+        buffer.write(data)
 
     def _upload_lights(self, lighting: Lighting) -> None:
         if lighting is not self.uploaded_lights:
-            self._write(self.uniforms["Lights"], lights(lighting))
+            self._write("Lights", lights(lighting))
             self.uploaded_lights = lighting
+
+    def _upload_raster(self, state: Snapshot) -> None:
+        groups = (
+            state.fog, state.transform, state.point, state.viewport, state.line, state.polygon_stipple,
+            state.color_buffer.alpha_reference,
+        )  # fmt: skip
+        if groups != self.uploaded_raster:
+            self._write("Raster", raster(state))
+            self.uploaded_raster = groups
 
     # ------------------------------------------------------------ state that the core profile kept
 
-    def _apply(self, state: Snapshot) -> None:
-        old, raw = self.fixed, self.raw
-        if old is state:
+    def _apply(self, state: Snapshot, corners: int) -> None:
+        """Pass on what changed since the last draw; lines and points are never culled."""
+        before, raw = self.fixed, self.raw
+        if before is not None and before[0] is state and before[1] == corners:
             return
-        self.fixed = state
+        old = before[0] if before else None
+        self.fixed = (state, corners)
         if old is None:
             raw.glProvokingVertex(LAST_VERTEX_CONVENTION)
+            raw.glEnable(PROGRAM_POINT_SIZE)
         if old is None or old.viewport != state.viewport:
-            x, y, width, height, near, far = state.viewport
-            raw.glViewport(x, y, width, height)
-            raw.glDepthRange(near, far)
-        if old is None or old.polygon != state.polygon:
-            self._switch(GL_CULL_FACE, state.polygon.cull)
-            raw.glCullFace(state.polygon.cull_face)
-            raw.glFrontFace(state.polygon.front_face)
+            raw.glViewport(*state.viewport[:4])
+            raw.glDepthRange(*state.viewport[4:])
+        if before is None or (old.polygon, before[1]) != (state.polygon, corners):  # type: ignore[union-attr]
+            polygon = state.polygon
+            self._switch(GL_CULL_FACE, polygon.cull and corners == 3)
+            self._switch(GL_POLYGON_OFFSET_FILL, polygon.offset_fill and corners == 3)
+            raw.glCullFace(polygon.cull_face)
+            raw.glFrontFace(polygon.front_face)
+            raw.glPolygonOffset(polygon.offset_factor, polygon.offset_units)
         if old is None or old.depth != state.depth:
             self._switch(GL_DEPTH_TEST, state.depth.test)
             raw.glDepthFunc(state.depth.func)
             raw.glDepthMask(state.depth.mask)
+        if old is None or old.scissor != state.scissor:
+            self._switch(GL_SCISSOR_TEST, state.scissor.test)
+            raw.glScissor(*state.scissor[1:])
+        if old is None or old.stencil != state.stencil:
+            stencil = state.stencil
+            self._switch(GL_STENCIL_TEST, stencil.test)
+            raw.glStencilFunc(stencil.func, stencil.reference, stencil.value_mask)
+            raw.glStencilOp(stencil.fail, stencil.depth_fail, stencil.depth_pass)
+            raw.glStencilMask(stencil.write_mask)
         if old is None or old.color_buffer != state.color_buffer:
-            self._switch(GL_DITHER, state.color_buffer.dither)
-            raw.glColorMask(*state.color_buffer.mask)
+            self._apply_color_buffer(state.color_buffer)
+        if old is None or old.transform.clip_enabled != state.transform.clip_enabled:
+            for number, enabled in enumerate(state.transform.clip_enabled):
+                self._switch(GL_CLIP_PLANE0 + number, enabled)  # the same value as GL_CLIP_DISTANCE0
+        if old is None or old.multisample != state.multisample:
+            multisample = state.multisample
+            self._switch(GL_MULTISAMPLE, multisample.enabled)
+            self._switch(GL_SAMPLE_ALPHA_TO_COVERAGE, multisample.alpha_to_coverage)
+            self._switch(GL_SAMPLE_ALPHA_TO_ONE, multisample.alpha_to_one)
+            self._switch(GL_SAMPLE_COVERAGE, multisample.coverage)
+            raw.glSampleCoverage(multisample.coverage_value, multisample.coverage_invert)
+
+    def _apply_color_buffer(self, color: ColorBuffer) -> None:
+        raw = self.raw
+        self._switch(GL_DITHER, color.dither)
+        raw.glColorMask(*color.mask)
+        self._switch(GL_BLEND, color.blend and not color.logic_op_enabled)
+        raw.glBlendFuncSeparate(*color.blend_function)
+        raw.glBlendEquation(color.blend_equation)
+        raw.glBlendColor(*color.blend_color)
+        self._switch(GL_COLOR_LOGIC_OP, color.logic_op_enabled)
+        raw.glLogicOp(color.logic_op)
 
     def _switch(self, cap: int, on: bool) -> None:
         (self.raw.glEnable if on else self.raw.glDisable)(cap)
-
-
-def _kind(packet: Packet) -> type:
-    return type(packet)
-
-
-def _vertices(draw: Draw) -> Vertices:
-    return draw.vertices
 
 
 # ---------------------------------------------------------------- rows of shaders/state.glsl
@@ -177,9 +293,9 @@ def _vertices(draw: Draw) -> Vertices:
 
 def transforms(objects: Sequence[Object]) -> NDArray[np.float32]:
     """struct Transform for each object: (n, 64) float32."""
-    evaluate({matrix: None for (pair, _) in objects for matrix in pair})
-    modelview = np.array([pair[0].value for pair, _ in objects])
-    projection = np.array([pair[1].value for pair, _ in objects])
+    evaluate({matrix: None for thing in objects for matrix in thing.matrices})
+    modelview = np.array([thing.matrices[0].value for thing in objects])
+    projection = np.array([thing.matrices[1].value for thing in objects])
     rows = np.zeros((len(objects), ROW_SIZE // 4), np.float32)
     with np.errstate(all="ignore"):
         rows[:, 0:16] = multiply(projection, modelview).reshape(-1, 16)
@@ -193,11 +309,13 @@ def materials(objects: Sequence[Object]) -> NDArray[np.float32]:
     rows = np.zeros((len(objects), ROW_SIZE // 4), np.float32)
     packed: dict[int, list[float]] = {}
     table = []
-    for _, material in objects:
+    for thing in objects:
+        material = thing.material
         if id(material) not in packed:
             packed[id(material)] = _faces(material)
         table.append(packed[id(material)])
     rows[:, :40] = table
+    rows[:, 40:44] = [thing.color or (0.0, 0.0, 0.0, 0.0) for thing in objects]
     return rows
 
 
@@ -206,6 +324,21 @@ def _faces(material: Material) -> list[float]:
     for face in material:
         values += (*face.ambient, *face.diffuse, *face.specular, *face.emission, face.shininess, 0.0, 0.0, 0.0)
     return values
+
+
+def raster(state: Snapshot) -> NDArray[np.float32]:
+    """The block Raster of shaders/raster.glsl: (80,) float32."""
+    fog, point, line, viewport = state.fog, state.point, state.line, state.viewport
+    block = np.zeros(RASTER_SIZE // 4, np.float32)
+    block[0:4] = fog.color
+    block[4:8] = fog.density, fog.start, fog.end, state.color_buffer.alpha_reference
+    block[8:32] = np.ravel(state.transform.clip_planes)
+    block[32:36] = point.size, point.size_min, point.size_max, point.fade_threshold
+    block[36:39] = point.distance_attenuation
+    block[40:44] = viewport.x, viewport.y, max(viewport.width, 1), max(viewport.height, 1)
+    block[44:47] = line_width(state), line.stipple_factor, line.stipple_pattern
+    block[48:80] = np.array(state.polygon_stipple.rows, np.uint32).view(np.float32)
+    return block
 
 
 def lights(lighting: Lighting) -> NDArray[np.float32]:

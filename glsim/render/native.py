@@ -15,6 +15,9 @@ from numpy.typing import NDArray
 
 from glsim.machine.commands import COMMANDS, Command
 from glsim.machine.constants import (
+    GL_2_BYTES,
+    GL_3_BYTES,
+    GL_4_BYTES,
     GL_BYTE,
     GL_DOUBLE,
     GL_FLOAT,
@@ -153,7 +156,8 @@ def pass_on(command: Command, arguments: tuple[Any, ...], kept: list[Any]) -> tu
     names = dict(zip(command.parameters, arguments, strict=False))
     for (_, kind), value in zip(command.arguments, arguments, strict=False):
         if kind == "data":
-            dtype = DTYPES.get(element or names.get("type"), np.float32)
+            several_bytes = names.get("type") in (GL_2_BYTES, GL_3_BYTES, GL_4_BYTES)
+            dtype = np.uint8 if several_bytes else DTYPES.get(element or names.get("type"), np.float32)
             raw = isinstance(value, (bytes, bytearray))
             array = np.frombuffer(value, np.uint8) if raw else np.ascontiguousarray(value, dtype)
             kept.append(array)

@@ -12,26 +12,38 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from glsim.files import data_folder
 from glsim.machine.constants import (
+    GL_ALWAYS,
     GL_AMBIENT,
     GL_AMBIENT_AND_DIFFUSE,
     GL_BACK,
     GL_DIFFUSE,
     GL_EMISSION,
+    GL_EQUAL,
+    GL_EXP,
+    GL_EXP2,
     GL_FLAT,
     GL_FLIP_NORMAL_GLSIM,
+    GL_FOG_COORDINATE,
     GL_FRONT,
+    GL_GEQUAL,
+    GL_GREATER,
+    GL_LEQUAL,
+    GL_LESS,
+    GL_LINEAR,
+    GL_NEVER,
+    GL_NOTEQUAL,
     GL_PHONG_LOBE_GLSIM,
     GL_PHONG_WIN,
     GL_SEPARATE_SPECULAR_COLOR,
     GL_SPECULAR,
 )
-from glsim.machine.state import Light, Lighting, Snapshot
+from glsim.machine.state import MAX_CLIP_PLANES, Light, Lighting, Snapshot
 
 if TYPE_CHECKING:
     import moderngl
 
 NOTHING_TRACKED = (False, False, False, False)
-TRACKED = {  # glColorMaterial's mode -> ambient, diffuse, specular, emission
+TRACKED: dict[int, tuple[bool, ...]] = {  # glColorMaterial's mode -> ambient, diffuse, specular, emission
     GL_AMBIENT: (True, False, False, False),
     GL_DIFFUSE: (False, True, False, False),
     GL_AMBIENT_AND_DIFFUSE: (True, True, False, False),
@@ -65,38 +77,65 @@ class ProgramKey(NamedTuple):
     rescale_normal: bool = False
     front_tracks: tuple[bool, ...] = NOTHING_TRACKED
     back_tracks: tuple[bool, ...] = NOTHING_TRACKED
+    color_sum: bool = False
+    fog: int = 0
+    fog_coordinate: bool = False
+    alpha_func: int = GL_ALWAYS
+    clip_plane: tuple[bool, ...] = (False,) * MAX_CLIP_PLANES
+    polygon_stipple: bool = False
+    line_stipple: bool = False
+    point_smooth: bool = False
+    # what is drawn decides these, not the state
     points: bool = False  # the primitives are points
+    areas: bool = True  # the primitives are polygons
+    wide_lines: bool = False  # the primitives are lines made of triangles
     has_w: bool = False  # some vertex has a w that is not 1
+    object_color: bool = False  # all vertices have the colour of their object
     objects: int = 1  # rows of transforms and materials that one draw can use
 
 
-def program_key(state: Snapshot) -> ProgramKey:
-    """The key of a state; states with the same key are drawn by the same program.
+def program_key(state: Snapshot, corners: int = 3) -> ProgramKey:
+    """The key of a state, for primitives with this many corners; states with the same key share a program.
 
-    ``points``, ``has_w`` and ``objects`` depend on what is drawn, not on the state.
+    The fields that depend on the vertices keep their defaults.
     """
+    color, fog = state.color_buffer, state.fog
+    common = ProgramKey(
+        flat=state.lighting.shade_model == GL_FLAT,
+        color_sum=fog.color_sum and not state.lighting.enabled,
+        fog=fog.mode if fog.enabled else 0,
+        fog_coordinate=fog.enabled and fog.coordinate_source == GL_FOG_COORDINATE,
+        alpha_func=color.alpha_func if color.alpha_test else GL_ALWAYS,
+        clip_plane=state.transform.clip_enabled,
+        polygon_stipple=corners == 3 and state.polygon.stipple,
+        line_stipple=corners == 2 and state.line.stipple,
+        point_smooth=corners == 1 and state.point.smooth,
+        points=corners == 1,
+        areas=corners == 3,
+    )
+    return _lit(common, state) if state.lighting.enabled else common
+
+
+def _lit(key: ProgramKey, state: Snapshot) -> ProgramKey:
+    """The key with what lighting adds."""
     lighting = state.lighting
-    flat = lighting.shade_model == GL_FLAT
-    if not lighting.enabled:
-        return ProgramKey(flat=flat)
-    tracked = TRACKED[lighting.color_material_mode] if lighting.color_material else NOTHING_TRACKED  # type: ignore[index]
+    tracked = TRACKED[lighting.color_material_mode] if lighting.color_material else NOTHING_TRACKED
     front = tracked if lighting.color_material_face != GL_BACK else NOTHING_TRACKED
     back = tracked if lighting.color_material_face != GL_FRONT and lighting.two_side else NOTHING_TRACKED
     kinds = light_kinds(lighting)
-    return ProgramKey(
-        flat=flat,
+    return key._replace(
         per_fragment=lighting.shade_model == GL_PHONG_WIN,
         lighting=True,
         lights=kinds,
         lobe_is_phong=bool(kinds) and lighting.lobe == GL_PHONG_LOBE_GLSIM,
         flip_normal=bool(kinds) and lighting.back_lighting == GL_FLIP_NORMAL_GLSIM,
         local_viewer=bool(kinds) and lighting.local_viewer,
-        two_side=lighting.two_side,
+        two_side=lighting.two_side and key.areas,
         separate_specular=bool(kinds) and lighting.color_control == GL_SEPARATE_SPECULAR_COLOR,
         normalize=bool(kinds) and state.transform.normalize,
         rescale_normal=bool(kinds) and state.transform.rescale_normal and not state.transform.normalize,
         front_tracks=front,
-        back_tracks=back,
+        back_tracks=back if key.areas else NOTHING_TRACKED,
     )
 
 
@@ -110,6 +149,13 @@ def light_kinds(lighting: Lighting) -> tuple[LightKind, ...]:
     return tuple(kind(k, light) for k, light in enumerate(lighting.lights) if lighting.light_enabled[k])
 
 
+ENUMS = {
+    "FOG_OFF": 0, "FOG_LINEAR": int(GL_LINEAR), "FOG_EXP": int(GL_EXP), "FOG_EXP2": int(GL_EXP2),
+    "GL_NEVER": int(GL_NEVER), "GL_LESS": int(GL_LESS), "GL_EQUAL": int(GL_EQUAL), "GL_LEQUAL": int(GL_LEQUAL),
+    "GL_GREATER": int(GL_GREATER), "GL_NOTEQUAL": int(GL_NOTEQUAL), "GL_GEQUAL": int(GL_GEQUAL),
+}  # fmt: skip
+
+
 def _glsl(value: bool | int) -> str:
     return str(value).lower() if isinstance(value, bool) else str(value)
 
@@ -117,9 +163,16 @@ def _glsl(value: bool | int) -> str:
 def constants(key: ProgramKey) -> str:
     """The key as GLSL: what stands in front of the sources."""
     lines = [f"#define SHADED {'flat' if key.flat else 'smooth'}", f"const int OBJECTS = {key.objects};"]
+    lines.append(f"#define CLIPPING {int(any(key.clip_plane))}")
     lines.append(f"const bool MANY_OBJECTS = {_glsl(key.objects > 1)};")
+    lines += [f"const int {name} = {value};" for name, value in ENUMS.items()]
+    lines.append(f"const int FOG = {int(key.fog)};")
+    lines.append(f"const int ALPHA_FUNC = {int(key.alpha_func)};")
+    lines.append(f"const bool[6] CLIP_PLANE = bool[6]({', '.join(map(_glsl, key.clip_plane))});")
     for name in (
-        "points", "has_w", "lighting", "per_fragment", "lobe_is_phong", "flip_normal", "local_viewer", "two_side",
+        "points", "areas", "wide_lines", "has_w", "object_color", "color_sum", "fog_coordinate", "polygon_stipple",
+        "line_stipple", "point_smooth", "lighting", "per_fragment", "lobe_is_phong", "flip_normal", "local_viewer",
+        "two_side",
         "separate_specular", "normalize", "rescale_normal",
     ):  # fmt: skip
         lines.append(f"const bool {name.upper()} = {_glsl(getattr(key, name))};")
@@ -175,7 +228,7 @@ def sources(key: ProgramKey) -> dict[str, str]:
     return {"vertex": front + expand("main.vert")[0], "fragment": front + expand("main.frag")[0]}
 
 
-BINDINGS = {"Transforms": 0, "Materials": 1, "Lights": 2}
+BINDINGS = {"Transforms": 0, "Materials": 1, "Lights": 2, "Raster": 3}
 
 
 def build(ctx: moderngl.Context, key: ProgramKey) -> moderngl.Program:

@@ -21,7 +21,11 @@ SIGNATURES = {
     "glEnable": "u", "glDisable": "u", "glViewport": "iiii", "glDepthRange": "dd", "glDepthFunc": "u",
     "glDepthMask": "b", "glColorMask": "bbbb", "glCullFace": "u", "glFrontFace": "u", "glClear": "u",
     "glClearColor": "ffff", "glClearDepth": "d", "glClearStencil": "i", "glProvokingVertex": "u", "glFinish": "",
-    "glFlush": "", "glReadPixels": "iiiiuup", "glPixelStorei": "ui", "glGetError": "",
+    "glReadPixels": "iiiiuup", "glPixelStorei": "ui", "glScissor": "iiii", "glPolygonOffset": "ff",
+    "glStencilFunc": "uiu", "glStencilOp": "uuu", "glStencilMask": "u", "glBlendFuncSeparate": "uuuu",
+    "glBlendEquation": "u", "glBlendColor": "ffff", "glLogicOp": "u", "glSampleCoverage": "fb",
+    "glGenRenderbuffers": "ip", "glBindRenderbuffer": "uu", "glRenderbufferStorageMultisample": "uiuii",
+    "glFramebufferRenderbuffer": "uuuu",
 }  # fmt: skip
 
 
@@ -33,8 +37,7 @@ class RawGL:
             address = loader.load(name)
             if not address:
                 raise RuntimeError(f"the driver has no {name}")
-            result = ctypes.c_uint if name == "glGetError" else None
-            setattr(self, name, ctypes.CFUNCTYPE(result, *(TYPES[t] for t in signature))(address))
+            setattr(self, name, ctypes.CFUNCTYPE(None, *(TYPES[t] for t in signature))(address))
 
     def __getattr__(self, name: str) -> Any:  # for type checkers: the commands are set in __init__
         raise AttributeError(name)

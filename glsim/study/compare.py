@@ -13,11 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
-from glsim.machine.assembly import corners, edges
 from glsim.machine.constants import (
     GL_BLINN_TORRANCE_GLSIM,
     GL_FLAT,
-    GL_LINES,
+    GL_LINE,
     GL_PHONG_LOBE_GLSIM,
     GL_PHONG_WIN,
     GL_SMOOTH,
@@ -188,7 +187,7 @@ def _native(frame: Frame) -> Pixels:
 def shaded(frame: Frame, mode: str, lobe: str) -> Frame:
     """The frame with every lit draw under another shade model and lobe, or as wireframe, or without light."""
     if mode == "wireframe":
-        return _unlit(frame).map_draws(_outline)
+        return _unlit(frame).map_draws(_outlined)
     if mode == "unlit":
         return _unlit(frame)
 
@@ -204,31 +203,29 @@ def _unlit(frame: Frame) -> Frame:
     blocks: dict[int, Vertices] = {}
 
     def change(draw: Draw) -> Draw:
-        lighting = draw.state.lighting
+        lighting, block = draw.state.lighting, draw.block
         if not lighting.enabled:
             return draw
-        if id(draw.vertices) not in blocks:
-            blocks[id(draw.vertices)] = Vertices(draw.vertices.rows.copy(), draw.vertices.w, [])
         plain = draw.with_state(draw.state._replace(lighting=lighting._replace(enabled=False)))
-        plain.vertices = blocks[id(draw.vertices)]
-        if not lighting.color_material:
-            end = draw.first + draw.count
-            plain.vertices.rows[draw.first : end, 6:10] = draw.material.front.diffuse
-            for vertex, material in draw.vertices.materials:
-                if draw.first <= vertex < end:
-                    plain.vertices.rows[vertex:end, 6:10] = material.front.diffuse
+        if lighting.color_material:
+            return plain
+        if not block.materials:
+            plain.color = draw.material.front.diffuse
+            return plain
+        if id(block) not in blocks:
+            blocks[id(block)] = Vertices(block.rows.copy(), block.columns, [])
+        plain.vertices = blocks[id(block)]
+        end = draw.first + draw.count
+        plain.vertices.rows[draw.first : end, 6:10] = draw.material.front.diffuse
+        for vertex, material in block.materials:
+            if draw.first <= vertex < end:
+                plain.vertices.rows[vertex:end, 6:10] = material.front.diffuse
         return plain
 
     return frame.map_draws(change)
 
 
-def _outline(draw: Draw) -> Draw:
-    """The edges of a draw's triangles and polygons as lines."""
-    if corners(draw.mode) < 3:
-        return draw
-    count = draw.count if draw.indices is None else len(draw.indices)
-    order = edges(draw.mode, count)
-    outline = draw.with_state(draw.state)
-    outline.mode = GL_LINES
-    outline.indices = order if draw.indices is None else draw.indices[order]
-    return outline
+def _outlined(draw: Draw) -> Draw:
+    """Polygons as their edges."""
+    polygon = draw.state.polygon._replace(front_mode=GL_LINE, back_mode=GL_LINE)
+    return draw.with_state(draw.state._replace(polygon=polygon))

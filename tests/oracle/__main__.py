@@ -5,8 +5,8 @@ from __future__ import annotations
 import glsim
 from glsim.render.native import Native
 from glsim.study.capture import capture
+from tests.oracle import PROGRAMS
 from tests.oracle.measure import measure
-from tests.oracle.programs import PROGRAMS
 
 screen, native = glsim.offscreen(128, 128), Native(128, 128)
 print(f"{native.renderer}, {native.version}")

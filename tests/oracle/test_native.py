@@ -10,8 +10,8 @@ import pytest
 import glsim
 from glsim.render.native import Native
 from glsim.study.capture import capture
+from tests.oracle import PROGRAMS
 from tests.oracle.measure import Difference, measure
-from tests.oracle.programs import PROGRAMS
 
 # A concave or self-crossing polygon has no defined triangulation, so nothing is asserted about where it is split.
 

@@ -1,0 +1,99 @@
+"""The attribute stacks: section 6.1.14 of the specification.
+
+The groups of state are immutable, so pushing is keeping references and popping is putting them back.
+"""
+
+from __future__ import annotations
+
+from glsim.gl.enable import CAPS, SERIES, series, switch
+from glsim.machine.constants import (
+    GL_CLIENT_PIXEL_STORE_BIT,
+    GL_CLIENT_VERTEX_ARRAY_BIT,
+    GL_COLOR_BUFFER_BIT,
+    GL_CURRENT_BIT,
+    GL_DEPTH_BUFFER_BIT,
+    GL_ENABLE_BIT,
+    GL_FOG_BIT,
+    GL_HINT_BIT,
+    GL_LIGHTING_BIT,
+    GL_LINE_BIT,
+    GL_LIST_BIT,
+    GL_MULTISAMPLE_BIT,
+    GL_POINT_BIT,
+    GL_POLYGON_BIT,
+    GL_POLYGON_STIPPLE_BIT,
+    GL_SCISSOR_BIT,
+    GL_STENCIL_BUFFER_BIT,
+    GL_TRANSFORM_BIT,
+    GL_VIEWPORT_BIT,
+)
+from glsim.machine.errors import stack_overflow, stack_underflow
+from glsim.machine.machine import ATTRIB_STACK_DEPTH, Machine
+
+# bit of glPushAttrib -> attributes of a Machine that it saves
+GROUPS: dict[int, tuple[str, ...]] = {
+    GL_CURRENT_BIT: ("nx", "ny", "nz", "red", "green", "blue", "alpha", "index", "current"),
+    GL_POINT_BIT: ("point",),
+    GL_LINE_BIT: ("line",),
+    GL_POLYGON_BIT: ("polygon",),
+    GL_POLYGON_STIPPLE_BIT: ("polygon_stipple",),
+    GL_LIGHTING_BIT: ("lighting", "material"),
+    GL_FOG_BIT: ("fog",),
+    GL_DEPTH_BUFFER_BIT: ("depth",),
+    GL_STENCIL_BUFFER_BIT: ("stencil",),
+    GL_VIEWPORT_BIT: ("viewport",),
+    GL_TRANSFORM_BIT: ("transform",),
+    GL_COLOR_BUFFER_BIT: ("color_buffer",),
+    GL_HINT_BIT: ("hints",),
+    GL_LIST_BIT: ("list_base",),
+    GL_SCISSOR_BIT: ("scissor",),
+    GL_MULTISAMPLE_BIT: ("multisample",),
+}
+ALL_CAPS = [*CAPS, *(first + k for first, (_, _, count) in SERIES.items() for k in range(count))]
+
+
+def _flag(m: Machine, cap: int) -> bool:
+    if cap in CAPS:
+        group, field = CAPS[cap]
+        return bool(getattr(getattr(m, group), field))
+    group, field, number = series(cap)  # type: ignore[misc]
+    return bool(getattr(getattr(m, group), field)[number])
+
+
+def glPushAttrib(m: Machine, mask: int) -> None:
+    if len(m.attrib_stack) >= ATTRIB_STACK_DEPTH:
+        raise stack_overflow(
+            f"the attribute stack holds {ATTRIB_STACK_DEPTH} entries and is full: is a glPopAttrib missing?"
+        )
+    names = [name for bit, group in GROUPS.items() if mask & bit for name in group]
+    saved = {name: getattr(m, name) for name in names}
+    flags = {cap: _flag(m, cap) for cap in ALL_CAPS} if mask & GL_ENABLE_BIT else {}
+    m.attrib_stack.append((saved, flags))
+
+
+def glPopAttrib(m: Machine) -> None:
+    if not m.attrib_stack:
+        raise stack_underflow("the attribute stack is empty: more glPopAttrib than glPushAttrib")
+    saved, flags = m.attrib_stack.pop()
+    for cap, value in flags.items():
+        if _flag(m, cap) != value:
+            switch(m, cap, value)
+    for name, value in saved.items():
+        setattr(m, name, value)
+    m.stack = m.stacks[m.transform.matrix_mode]
+
+
+CLIENT: dict[int, str] = {GL_CLIENT_PIXEL_STORE_BIT: "pixel_store", GL_CLIENT_VERTEX_ARRAY_BIT: "client"}
+
+
+def glPushClientAttrib(m: Machine, mask: int) -> None:
+    if len(m.client_attrib_stack) >= ATTRIB_STACK_DEPTH:
+        raise stack_overflow("the client attribute stack is full: is a glPopClientAttrib missing?")
+    m.client_attrib_stack.append({name: dict(getattr(m, name)) for bit, name in CLIENT.items() if mask & bit})
+
+
+def glPopClientAttrib(m: Machine) -> None:
+    if not m.client_attrib_stack:
+        raise stack_underflow("the client attribute stack is empty: more glPopClientAttrib than glPushClientAttrib")
+    for name, value in m.client_attrib_stack.pop().items():
+        setattr(m, name, value)

@@ -1,0 +1,169 @@
+"""glEnable, glDisable, glIsEnabled: what can be switched on, and where the switch lies."""
+
+from __future__ import annotations
+
+from glsim.gl.light import set_color_material
+from glsim.machine import constants
+from glsim.machine.constants import (
+    GL_ALPHA_TEST,
+    GL_BLEND,
+    GL_CLIP_PLANE0,
+    GL_COLOR_LOGIC_OP,
+    GL_COLOR_MATERIAL,
+    GL_COLOR_SUM,
+    GL_CULL_FACE,
+    GL_DEPTH_TEST,
+    GL_DITHER,
+    GL_FOG,
+    GL_LIGHT0,
+    GL_LIGHTING,
+    GL_LINE_SMOOTH,
+    GL_LINE_STIPPLE,
+    GL_MULTISAMPLE,
+    GL_NORMALIZE,
+    GL_POINT_SMOOTH,
+    GL_POLYGON_OFFSET_FILL,
+    GL_POLYGON_OFFSET_LINE,
+    GL_POLYGON_OFFSET_POINT,
+    GL_POLYGON_SMOOTH,
+    GL_POLYGON_STIPPLE,
+    GL_RESCALE_NORMAL,
+    GL_SAMPLE_ALPHA_TO_COVERAGE,
+    GL_SAMPLE_ALPHA_TO_ONE,
+    GL_SAMPLE_COVERAGE,
+    GL_SCISSOR_TEST,
+    GL_STENCIL_TEST,
+    Enum,
+)
+from glsim.machine.errors import invalid_enum
+from glsim.machine.machine import Machine
+from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS
+
+# cap -> (group, field) of a Machine
+CAPS: dict[int, tuple[str, str]] = {
+    GL_LIGHTING: ("lighting", "enabled"),
+    GL_COLOR_MATERIAL: ("lighting", "color_material"),
+    GL_NORMALIZE: ("transform", "normalize"),
+    GL_RESCALE_NORMAL: ("transform", "rescale_normal"),
+    GL_POINT_SMOOTH: ("point", "smooth"),
+    GL_LINE_SMOOTH: ("line", "smooth"),
+    GL_LINE_STIPPLE: ("line", "stipple"),
+    GL_CULL_FACE: ("polygon", "cull"),
+    GL_POLYGON_SMOOTH: ("polygon", "smooth"),
+    GL_POLYGON_STIPPLE: ("polygon", "stipple"),
+    GL_POLYGON_OFFSET_FILL: ("polygon", "offset_fill"),
+    GL_POLYGON_OFFSET_LINE: ("polygon", "offset_line"),
+    GL_POLYGON_OFFSET_POINT: ("polygon", "offset_point"),
+    GL_FOG: ("fog", "enabled"),
+    GL_COLOR_SUM: ("fog", "color_sum"),
+    GL_DEPTH_TEST: ("depth", "test"),
+    GL_STENCIL_TEST: ("stencil", "test"),
+    GL_SCISSOR_TEST: ("scissor", "test"),
+    GL_ALPHA_TEST: ("color_buffer", "alpha_test"),
+    GL_BLEND: ("color_buffer", "blend"),
+    GL_DITHER: ("color_buffer", "dither"),
+    GL_COLOR_LOGIC_OP: ("color_buffer", "logic_op_enabled"),
+    GL_MULTISAMPLE: ("multisample", "enabled"),
+    GL_SAMPLE_ALPHA_TO_COVERAGE: ("multisample", "alpha_to_coverage"),
+    GL_SAMPLE_ALPHA_TO_ONE: ("multisample", "alpha_to_one"),
+    GL_SAMPLE_COVERAGE: ("multisample", "coverage"),
+}
+# first cap of a numbered series -> (group, field holding a tuple, how many)
+SERIES: dict[int, tuple[str, str, int]] = {
+    GL_LIGHT0: ("lighting", "light_enabled", MAX_LIGHTS),
+    GL_CLIP_PLANE0: ("transform", "clip_enabled", MAX_CLIP_PLANES),
+}
+# caps of OpenGL 1.5 that come with a later version
+_LATER = """
+GL_AUTO_NORMAL GL_INDEX_LOGIC_OP GL_TEXTURE_1D GL_TEXTURE_2D GL_TEXTURE_3D GL_TEXTURE_CUBE_MAP
+GL_TEXTURE_GEN_Q GL_TEXTURE_GEN_R GL_TEXTURE_GEN_S GL_TEXTURE_GEN_T
+GL_MAP1_COLOR_4 GL_MAP1_INDEX GL_MAP1_NORMAL GL_MAP1_TEXTURE_COORD_1 GL_MAP1_TEXTURE_COORD_2 GL_MAP1_TEXTURE_COORD_3
+GL_MAP1_TEXTURE_COORD_4 GL_MAP1_VERTEX_3 GL_MAP1_VERTEX_4 GL_MAP2_COLOR_4 GL_MAP2_INDEX GL_MAP2_NORMAL
+GL_MAP2_TEXTURE_COORD_1 GL_MAP2_TEXTURE_COORD_2 GL_MAP2_TEXTURE_COORD_3 GL_MAP2_TEXTURE_COORD_4 GL_MAP2_VERTEX_3
+GL_MAP2_VERTEX_4
+"""
+LATER: dict[int, Enum] = {
+    int(getattr(constants, name)): getattr(constants, name)
+    for name in [
+        "GL_AUTO_NORMAL",
+        "GL_INDEX_LOGIC_OP",
+        "GL_MAP1_COLOR_4",
+        "GL_MAP1_INDEX",
+        "GL_MAP1_NORMAL",
+        "GL_MAP1_TEXTURE_COORD_1",
+        "GL_MAP1_TEXTURE_COORD_2",
+        "GL_MAP1_TEXTURE_COORD_3",
+        "GL_MAP1_TEXTURE_COORD_4",
+        "GL_MAP1_VERTEX_3",
+        "GL_MAP1_VERTEX_4",
+        "GL_MAP2_COLOR_4",
+        "GL_MAP2_INDEX",
+        "GL_MAP2_NORMAL",
+        "GL_MAP2_TEXTURE_COORD_1",
+        "GL_MAP2_TEXTURE_COORD_2",
+        "GL_MAP2_TEXTURE_COORD_3",
+        "GL_MAP2_TEXTURE_COORD_4",
+        "GL_MAP2_VERTEX_3",
+        "GL_MAP2_VERTEX_4",
+        "GL_TEXTURE_1D",
+        "GL_TEXTURE_2D",
+        "GL_TEXTURE_3D",
+        "GL_TEXTURE_CUBE_MAP",
+        "GL_TEXTURE_GEN_Q",
+        "GL_TEXTURE_GEN_R",
+        "GL_TEXTURE_GEN_S",
+        "GL_TEXTURE_GEN_T",
+    ]
+}
+EXPECTED = "something that can be enabled, such as GL_LIGHTING or GL_DEPTH_TEST"
+
+
+def series(cap: int) -> tuple[str, str, int] | None:
+    """(group, field, number) of GL_LIGHTi and GL_CLIP_PLANEi."""
+    for first, (group, field, count) in SERIES.items():
+        if 0 <= cap - first < count:
+            return group, field, cap - first
+    return None
+
+
+def glEnable(m: Machine, cap: int) -> None:
+    switch(m, cap, True)
+
+
+def glDisable(m: Machine, cap: int) -> None:
+    switch(m, cap, False)
+
+
+def switch(m: Machine, cap: int, value: bool) -> None:
+    place = CAPS.get(cap)
+    if place is not None:
+        group, field = place
+        if getattr(getattr(m, group), field) == value:
+            return
+        if cap == GL_COLOR_MATERIAL:
+            set_color_material(m, value)
+        else:
+            setattr(m, group, getattr(m, group)._replace(**{field: value}))
+        return
+    numbered = series(cap)
+    if numbered is not None:
+        group, field, number = numbered
+        flags = list(getattr(getattr(m, group), field))
+        flags[number] = value
+        setattr(m, group, getattr(m, group)._replace(**{field: tuple(flags)}))
+    elif cap not in LATER:
+        raise invalid_enum("cap", cap, EXPECTED)
+    elif value:
+        raise NotImplementedError(f"glEnable({LATER[cap]!r}) is not in glsim yet")
+
+
+def glIsEnabled(m: Machine, cap: int) -> int:
+    place = CAPS.get(cap)
+    if place is not None:
+        return int(getattr(getattr(m, place[0]), place[1]))
+    numbered = series(cap)
+    if numbered is not None:
+        return int(getattr(getattr(m, numbered[0]), numbered[1])[numbered[2]])
+    if cap in LATER:
+        return 0
+    raise invalid_enum("cap", cap, EXPECTED)

@@ -1,0 +1,170 @@
+"""Display lists: section 5.4 of the specification."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from glsim.machine.commands import COMMANDS
+from glsim.machine.constants import (
+    GL_2_BYTES,
+    GL_3_BYTES,
+    GL_4_BYTES,
+    GL_BYTE,
+    GL_COMPILE,
+    GL_COMPILE_AND_EXECUTE,
+    GL_FLOAT,
+    GL_INT,
+    GL_SHORT,
+    GL_UNSIGNED_BYTE,
+    GL_UNSIGNED_INT,
+    GL_UNSIGNED_SHORT,
+)
+from glsim.machine.errors import GLError, invalid_enum, invalid_operation, invalid_value
+from glsim.machine.frame import Call
+from glsim.machine.geometry import Geometry
+from glsim.machine.machine import MAX_LIST_NESTING, Machine
+from glsim.machine.record import ARRAY_CALLS, ListRecorder, implementations
+
+STATIC_FAMILIES = {
+    "glBegin", "glEnd", "glVertex", "glNormal", "glColor", "glTexCoord", "glMultiTexCoord", "glSecondaryColor",
+    "glFogCoord", "glEdgeFlag", "glEdgeFlagv", "glRect", *ARRAY_CALLS,
+}  # fmt: skip
+STATIC = {name for name, command in COMMANDS.items() if command.family in STATIC_FAMILIES}
+DRAWING = {"glEnd", "glRect", *ARRAY_CALLS} - {"glArrayElement"}
+
+Item = Geometry | Call
+
+
+def glNewList(m: Machine, n: int, mode: int) -> None:
+    if n <= 0:
+        raise invalid_value("n", n, "the number of a list, more than 0")
+    if mode not in (GL_COMPILE, GL_COMPILE_AND_EXECUTE):
+        raise invalid_enum("mode", mode, "GL_COMPILE or GL_COMPILE_AND_EXECUTE")
+    if m.compiling is not None:
+        raise invalid_operation(f"list {m.compiling.number} has no glEndList yet")
+    m.compiling = ListRecorder(m, int(n), mode == GL_COMPILE_AND_EXECUTE)
+    m.record(m.compiling)
+
+
+def glEndList(m: Machine) -> None:
+    if m.compiling is None:
+        raise invalid_operation("there is no glNewList before this glEndList")
+    recorder, m.compiling = m.compiling, None
+    m.lists[recorder.number] = compile_list(recorder)
+    m.record(recorder.outer)
+
+
+def compile_list(recorder: ListRecorder) -> list[Item]:
+    """Runs of calls that only make vertices become Geometry; the rest stays calls."""
+    items: list[Item] = []
+    run: list[int] = []
+    calls = recorder.calls
+    for position, call in enumerate(calls):
+        if call.name in STATIC:
+            run.append(position)
+            continue
+        items += _compiled(recorder, run)
+        run = []
+        items.append(call)
+    return items + _compiled(recorder, run)
+
+
+def _compiled(recorder: ListRecorder, run: list[int]) -> list[Item]:
+    """One Geometry if the run draws whole primitives and is free of errors, else its calls."""
+    calls = [recorder.calls[position] for position in run]
+    depth, balanced = 0, True
+    for call in calls:
+        depth += (call.name == "glBegin") - (call.name == "glEnd")
+        balanced &= 0 <= depth <= 1
+    if not balanced or depth or not any(COMMANDS[call.name].family in DRAWING for call in calls):
+        return list(calls)
+    try:
+        return [Geometry(calls, [recorder.clients.get(position) for position in run])]
+    except (GLError, TypeError, ValueError):
+        return list(calls)  # errors come when the list is called, as the specification says
+
+
+def glCallList(m: Machine, n: int) -> None:
+    """A list that does not exist is ignored, as is what lies deeper than GL_MAX_LIST_NESTING."""
+    items = m.lists.get(n)
+    if items is None or m.nesting >= MAX_LIST_NESTING:
+        return
+    m.nesting += 1
+    try:
+        for item in items:
+            if type(item) is Geometry and m.inside is None:
+                item.call(m)
+            elif type(item) is Call:
+                implementations[item.name](*item.arguments)
+            else:
+                raise invalid_operation(f"list {n} begins a primitive of its own")
+    finally:
+        m.nesting -= 1
+
+
+LIST_TYPES: dict[int, str] = {
+    GL_BYTE: "i1", GL_UNSIGNED_BYTE: "u1", GL_SHORT: "i2", GL_UNSIGNED_SHORT: "u2", GL_INT: "i4",
+    GL_UNSIGNED_INT: "u4", GL_FLOAT: "f4", GL_2_BYTES: "2", GL_3_BYTES: "3", GL_4_BYTES: "4",
+}  # fmt: skip
+
+
+def glCallLists(m: Machine, n: Any, type: int | None = None, lists: Any = None) -> None:
+    """glCallLists(n, type, lists), or in PyOpenGL's form glCallLists(lists) with a string, bytes or array."""
+    if type is None:
+        numbers = _numbers(n, None)
+    else:
+        if n < 0:
+            raise invalid_value("n", n, "at least 0")
+        if type not in LIST_TYPES:
+            raise invalid_enum("type", type, "GL_BYTE, GL_UNSIGNED_BYTE, ... or GL_4_BYTES")
+        numbers = _numbers(lists, type)[:n]
+    base = m.list_base
+    for number in numbers:
+        glCallList(m, (base + number) & 0xFFFFFFFF)
+
+
+def _numbers(lists: Any, kind: int | None) -> list[int]:
+    if isinstance(lists, str):
+        lists = lists.encode("latin-1")
+    form = LIST_TYPES[kind] if kind is not None else "u1"
+    if form.isdigit():  # several bytes make a number, the first the most significant
+        raw = np.frombuffer(bytes(lists), np.uint8) if isinstance(lists, (bytes, bytearray)) else np.asarray(lists)
+        size = int(form)
+        rows = raw.astype(np.int64).reshape(-1)[: len(raw.reshape(-1)) // size * size].reshape(-1, size)
+        return [int(sum(int(b) << (8 * (size - 1 - k)) for k, b in enumerate(row))) for row in rows]
+    if isinstance(lists, (bytes, bytearray)):
+        return np.frombuffer(bytes(lists), form).astype(np.int64).tolist()  # type: ignore[no-any-return]
+    return np.asarray(lists).astype(form if kind is not None else np.int64).astype(np.int64).ravel().tolist()
+
+
+def glListBase(m: Machine, base: int) -> None:
+    m.list_base = int(base)
+
+
+def glGenLists(m: Machine, s: int) -> int:
+    """The first of ``s`` unused numbers in a row; they become empty lists."""
+    if s < 0:
+        raise invalid_value("s", s, "at least 0")
+    if s == 0:
+        return 0
+    first = 1
+    for used in sorted(m.lists):
+        if used - first >= s:
+            break
+        first = max(first, used + 1)
+    for number in range(first, first + s):
+        m.lists[number] = []
+    return first
+
+
+def glDeleteLists(m: Machine, list: int, range: int) -> None:
+    if range < 0:
+        raise invalid_value("range", range, "at least 0")
+    for number in [n for n in m.lists if list <= n < list + range]:
+        del m.lists[number]
+
+
+def glIsList(m: Machine, list: int) -> int:
+    return int(list in m.lists)

@@ -1,0 +1,130 @@
+"""The static part of a display list: vertices that are the same at every glCallList."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import groupby
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.machine.assembly import assemble, complete, corners
+from glsim.machine.constants import GL_FILL, GL_LINES, GL_POINTS, GL_TRIANGLES
+from glsim.machine.current import current_machine, make_current
+from glsim.machine.frame import Call, Draw, Vertices
+from glsim.machine.machine import Machine
+from glsim.machine.record import implementations
+
+NAN = float("nan")
+PLAIN = {1: GL_POINTS, 2: GL_LINES, 3: GL_TRIANGLES}
+MOST_VARIANTS = 16
+
+
+class _NoDevice:
+    width = height = 1
+
+
+class Geometry:
+    """What a run of glBegin, glVertex, glNormal, ... draws, compiled once.
+
+    Values that the list does not set itself are taken from the machine when the list is called: they are NaN in
+    ``vertices``.
+    """
+
+    def __init__(self, calls: Sequence[Call], clients: Sequence[dict[Any, Any] | None]) -> None:
+        machine = _execute(calls, clients)
+        self.draws: list[Draw] = [packet for packet in machine.packets if isinstance(packet, Draw)]
+        self.after = (machine.nx, machine.ny, machine.nz, machine.red, machine.green, machine.blue, machine.alpha)
+        self.after_current = {n: v for n, v in machine.current.items() if v[0] == v[0]}
+        vertices = machine.take_vertices()
+        self.vertices = Vertices(vertices.rows, vertices.columns, [], static=True)
+        rows = self.vertices.rows
+        self.no_normal, self.no_color = np.isnan(rows[:, 3]), np.isnan(rows[:, 6])
+        self.no_column = {n: np.isnan(v[:, 0]) for n, v in vertices.columns.items() if np.isnan(v[:, 0]).any()}
+        self.color_is_callers = bool(self.no_color.all())
+        self.variants: dict[Any, Vertices] = {}
+        self.order: list[tuple[int, NDArray[np.uint32]]] | None = None
+
+    def call(self, m: Machine) -> None:
+        """Draw with the machine's present state, and leave the current values that the list sets."""
+        vertices = self._resolved(m)
+        color = (m.red, m.green, m.blue, m.alpha) if self.color_is_callers else None
+        state, matrices = m.snapshot(), (m.modelview[-1], m.projection[-1])
+        polygon = state.polygon
+        if polygon.front_mode == polygon.back_mode == GL_FILL and not state.line.stipple:
+            for mode, indices in self._assembled():
+                draw = Draw(mode, 0, len(vertices.rows), indices, matrices, m.material, state, vertices)
+                draw.color = color
+                m.packets.append(draw)
+        else:
+            for part in self.draws:
+                draw = Draw(part.mode, part.first, part.count, part.indices, matrices, m.material, state, vertices)
+                draw.color = color
+                m.packets.append(draw)
+        m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha = (
+            new if new == new else old
+            for new, old in zip(self.after, (m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha), strict=True)
+        )
+        if self.after_current:
+            m.current = self.after_current
+
+    def _assembled(self) -> list[tuple[int, NDArray[np.uint32]]]:
+        """All primitives as few draws of plain triangles, lines or points; the arrays stay the same objects."""
+        if self.order is None:
+            self.order = []
+            for kind, group in groupby(self.draws, key=lambda draw: corners(draw.mode)):
+                indices = np.concatenate([_indices(draw) for draw in group])
+                if len(indices):
+                    self.order.append((PLAIN[kind], indices))
+        return self.order
+
+    def _resolved(self, m: Machine) -> Vertices:
+        """The vertices with the machine's values where the list sets none."""
+        takes_normal = self.no_normal.any()
+        takes_color = self.no_color.any() and not self.color_is_callers
+        current = m.current if self.no_column else {}
+        key = (
+            (m.nx, m.ny, m.nz) if takes_normal else None,
+            (m.red, m.green, m.blue, m.alpha) if takes_color else None,
+            tuple(current[name] for name in self.no_column),
+        )
+        found = self.variants.get(key)
+        if found is None:
+            if len(self.variants) >= MOST_VARIANTS:
+                self.variants.clear()
+            rows = self.vertices.rows.copy()
+            rows[self.no_normal, 3:6] = m.nx, m.ny, m.nz
+            rows[self.no_color, 6:10] = m.red, m.green, m.blue, m.alpha
+            columns = dict(self.vertices.columns)
+            for name, missing in self.no_column.items():
+                columns[name] = np.where(missing[:, None], np.array(current[name], np.float32), columns[name])
+            found = self.variants[key] = Vertices(rows, columns, [], static=True)
+        return found
+
+
+def _indices(draw: Draw) -> NDArray[np.uint32]:
+    """Plain triangles, lines or points; quads are cut so that both halves end in the provoking vertex."""
+    count = draw.count if draw.indices is None else len(draw.indices)
+    pattern = assemble(draw.mode, count, last=True)
+    if pattern is None:
+        pattern = np.arange(complete(draw.mode, count), dtype=np.uint32)
+    return (pattern if draw.indices is None else draw.indices[pattern]) + np.uint32(draw.first)
+
+
+def _execute(calls: Sequence[Call], clients: Sequence[dict[Any, Any] | None]) -> Machine:
+    """Run the calls on a machine of their own in which no current value is known."""
+    scratch = Machine(_NoDevice())  # type: ignore[arg-type]
+    scratch.nx = scratch.ny = scratch.nz = scratch.red = scratch.green = scratch.blue = scratch.alpha = NAN
+    scratch.tracks = {name: [(0, (NAN,) * len(track[0][1]))] for name, track in scratch.tracks.items()}
+    scratch.texcoord = scratch.tracks["texcoord0"]
+    before = current_machine()
+    make_current(scratch)
+    try:
+        for (name, arguments), client in zip(calls, clients, strict=True):
+            if client is not None:
+                scratch.client = client
+            implementations[name](*arguments)
+    finally:
+        make_current(before)
+    return scratch

@@ -1,0 +1,227 @@
+"""What core profiles lack: wide and stippled lines, and polygons drawn as edges or points.
+
+Such Draws are replaced by others over vertices of their own: wide lines by triangles, unfilled polygons by lines or
+points, without the diagonals of quads and polygons, and only for the faces that are wanted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.machine.assembly import corners, outlines
+from glsim.machine.constants import (
+    GL_BACK,
+    GL_CCW,
+    GL_FILL,
+    GL_FLAT,
+    GL_FRONT,
+    GL_FRONT_AND_BACK,
+    GL_LINE,
+    GL_LINE_LOOP,
+    GL_LINE_STRIP,
+    GL_LINES,
+    GL_POINTS,
+    GL_POLYGON,
+    GL_QUADS,
+    GL_TRIANGLES,
+)
+from glsim.machine.frame import Draw, Vertices
+from glsim.machine.matrix import evaluate, multiply
+from glsim.machine.state import Material, Snapshot
+from glsim.render.batch import assembled, materials_of
+
+Float = NDArray[np.float32]
+
+
+def prepare(draws: Iterable[Draw]) -> Iterator[Draw]:
+    """The Draws as the core profile can draw them."""
+    for (need, _, _), group in groupby(draws, key=lambda draw: (_need(draw), id(draw.vertices), draw.state)):
+        if need == "unfilled":
+            yield from prepare(part for draw in group for part in unfilled(draw))
+        elif need == "lines":
+            yield from lines(list(group))
+        else:
+            yield from group
+
+
+def _need(draw: Draw) -> str:
+    kind = corners(draw.mode)
+    state = draw.state
+    if kind == 3 and (state.polygon.front_mode != GL_FILL or state.polygon.back_mode != GL_FILL):
+        return "unfilled"
+    if kind == 2 and (state.line.stipple or line_width(state) > 1.0) and "line_start" not in draw.block.columns:
+        return "lines"
+    return ""
+
+
+def line_width(state: Snapshot) -> float:
+    """The width lines are drawn with: rounded, at least one pixel (section 3.4.2)."""
+    return max(float(np.floor(state.line.width + 0.5)), 1.0)
+
+
+def positions(block: Vertices, chosen: NDArray[np.uint32]) -> Float:
+    """Homogeneous positions (n, 4) in object space."""
+    w = block.columns.get("w")
+    result = np.ones((len(chosen), 4), np.float32)
+    result[:, :3] = block.rows[chosen, :3]
+    if w is not None:
+        result[:, 3] = w[chosen, 0]
+    return result
+
+
+def clip_positions(draw: Draw, chosen: NDArray[np.uint32]) -> NDArray[np.float64]:
+    """Positions (n, 4) in clip space."""
+    evaluate(draw.matrices)
+    modelview, projection = (matrix.get()[None] for matrix in draw.matrices)
+    product: NDArray[np.float64] = multiply(projection, modelview)[0].astype(np.float64)
+    return np.asarray(positions(draw.block, chosen).astype(np.float64) @ product)
+
+
+# ---------------------------------------------------------------- lines
+
+SIDES = np.array([-1.0, 1.0, -1.0, 1.0], np.float32)
+CORNERS = np.array([0, 1, 2, 1, 3, 2], np.uint32)  # both triangles end in the line's second vertex, the provoking one
+
+
+def lines(draws: list[Draw]) -> list[Draw]:
+    """Wide or stippled lines; the Draws share their vertices and their state."""
+    block, state = draws[0].block, draws[0].state
+    wide = line_width(state) > 1.0
+    ends = [assembled(draw).reshape(-1, 2) for draw in draws]
+    order = np.array([0, 0, 1, 1] if wide else [0, 1])
+    chosen = np.concatenate(ends)[:, order].ravel()
+    materials: list[tuple[int, Material]] = []
+    result, first = [], 0
+    vertices = block.take(chosen)
+    for draw, pairs in zip(draws, ends, strict=True):
+        count = pairs.size * (2 if wide else 1)
+        if block.materials and draw.indices is None:
+            used = materials_of(draw, chosen[first : first + count])
+            materials += [(first + k, material) for k, material in enumerate(used)]
+        part = Draw(GL_LINES, first, count, None, draw.matrices, draw.material, state, vertices)
+        if wide:
+            part.indices = (np.arange(len(pairs), dtype=np.uint32)[:, None] * 4 + CORNERS).ravel()
+        part.color = draw.color
+        result.append(part)
+        first += count
+    starts = [_starts(draw, pairs) for draw, pairs in zip(draws, ends, strict=True)]
+    vertices.columns["line_start"] = np.concatenate(starts)[:, order].reshape(-1, 1)
+    if wide:
+        vertices.columns["line_side"] = np.tile(SIDES, len(chosen) // 4)[:, None]
+        others = np.concatenate(ends)[:, order[::-1]].ravel()
+        vertices.columns["other_end"] = positions(block, others)
+    vertices.materials = materials
+    return result
+
+
+def _starts(draw: Draw, pairs: NDArray[np.uint32]) -> Float:
+    """Pixels from the beginning of the stipple pattern at both ends of each line: (n, 2).
+
+    A strip or loop goes on where its last line ended; separate lines begin anew (section 3.4.2).
+    """
+    if not draw.state.line.stipple or not len(pairs):
+        return np.zeros(pairs.shape, np.float32)
+    clip = clip_positions(draw, pairs.ravel())
+    with np.errstate(all="ignore"):
+        window = clip[:, :2] / clip[:, 3:] * (np.array(draw.state.viewport[2:4]) / 2)
+    ends = np.nan_to_num(window, posinf=0.0, neginf=0.0).reshape(-1, 2, 2)
+    length = np.abs(ends[:, 1] - ends[:, 0]).max(axis=1)
+    begin = np.zeros(len(length))
+    if draw.mode in (GL_LINE_STRIP, GL_LINE_LOOP):
+        begin[1:] = np.cumsum(length)[:-1]
+    return np.stack([begin, begin + length], axis=1).astype(np.float32)
+
+
+# ---------------------------------------------------------------- unfilled polygons
+
+
+def unfilled(draw: Draw) -> Iterator[Draw]:
+    """The polygons of a Draw, each in the mode of the face it shows."""
+    count = draw.count if draw.indices is None else len(draw.indices)
+    loops, provoking = outlines(draw.mode, count)
+    if not len(loops):
+        return
+    numbers = (np.arange(count, dtype=np.uint32) if draw.indices is None else draw.indices) + np.uint32(draw.first)
+    rings, provoking = numbers[loops], numbers[provoking]
+    front = facing(draw, rings)
+    polygon = draw.state.polygon
+    for first, end in _runs(draw.state, front):
+        is_front = bool(front[first])
+        culled = polygon.cull and polygon.cull_face in (GL_FRONT_AND_BACK, GL_FRONT if is_front else GL_BACK)
+        mode = polygon.front_mode if is_front else polygon.back_mode
+        kept = slice(first, end)
+        if not culled:
+            yield _face(draw, rings[kept], provoking[kept], mode, is_front)
+
+
+def _runs(state: Snapshot, front: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
+    """Neighbouring polygons that are drawn alike, in their order: of one facing, or all if it makes no difference."""
+    polygon, lighting = state.polygon, state.lighting
+    if polygon.front_mode == polygon.back_mode and not polygon.cull and not (lighting.enabled and lighting.two_side):
+        yield 0, len(front)
+        return
+    turns = (np.flatnonzero(np.diff(front)) + 1).tolist()
+    yield from zip([0, *turns], [*turns, len(front)], strict=True)
+
+
+def facing(draw: Draw, rings: NDArray[np.uint32]) -> NDArray[np.bool_]:
+    """Which polygons (n, k) show their front: the sign of the area of their visible part (equation 3.7)."""
+    clip = clip_positions(draw, rings.ravel()).reshape(*rings.shape, 4)[..., [0, 1, 3]]
+    area = sum(
+        np.linalg.det(np.stack([clip[:, 0], clip[:, k], clip[:, k + 1]], axis=1)) for k in range(1, rings.shape[1] - 1)
+    )
+    return np.equal(np.asarray(area) > 0, draw.state.polygon.front_face == GL_CCW)
+
+
+def _face(draw: Draw, rings: NDArray[np.uint32], provoking: NDArray[np.uint32], mode: int, front: bool) -> Draw:
+    """Polygons of one facing as filled areas, edges or points."""
+    state = draw.state._replace(polygon=draw.state.polygon._replace(front_mode=GL_FILL, back_mode=GL_FILL, cull=False))
+    if mode == GL_FILL:
+        size = rings.shape[1]
+        kind = {3: GL_TRIANGLES, 4: GL_QUADS}.get(size, GL_POLYGON)
+        return _part(draw, kind, rings.ravel(), None, state, True)
+    flags = np.ones(rings.shape, bool)
+    if draw.mode in (GL_TRIANGLES, GL_QUADS, GL_POLYGON) and draw.block.varies("edge_flag"):
+        flags = draw.block.column("edge_flag")[rings, 0] != 0.0
+    if mode == GL_LINE:
+        chosen = np.stack([rings, np.roll(rings, -1, axis=1)], axis=2)[flags].ravel()
+        colors = np.repeat(np.broadcast_to(provoking[:, None], rings.shape)[flags], 2)
+        return _part(draw, GL_LINES, chosen, colors, state, front)
+    colors = np.broadcast_to(provoking[:, None], rings.shape)[flags]
+    return _part(draw, GL_POINTS, rings[flags], colors, state, front)
+
+
+def _part(
+    draw: Draw,
+    mode: int,
+    chosen: NDArray[np.uint32],
+    provoking: NDArray[np.uint32] | None,
+    state: Snapshot,
+    front: bool,
+) -> Draw:
+    """A Draw of some of the vertices.  provoking: whose colour and normal they take under flat shading."""
+    block = draw.block
+    vertices = block.take(chosen)
+    flat = state.lighting.shade_model == GL_FLAT and provoking is not None
+    source = provoking if flat and provoking is not None else chosen
+    if flat:
+        vertices.rows[:, 3:] = block.rows[source, 3:]
+    material = draw.material
+    if block.materials and draw.indices is None:
+        vertices.materials = list(enumerate(materials_of(draw, source)))
+    if not front and state.lighting.enabled and state.lighting.two_side:  # lines and points have no back: turn it round
+        vertices.rows[:, 3:6] *= -1
+        material = Material(material.back, material.back)
+        vertices.materials = [(k, Material(m.back, m.back)) for k, m in vertices.materials]
+        face = state.lighting.color_material_face
+        if state.lighting.color_material and face == GL_FRONT:
+            state = state._replace(lighting=state.lighting._replace(color_material=False))
+        elif state.lighting.color_material:
+            state = state._replace(lighting=state.lighting._replace(color_material_face=GL_FRONT_AND_BACK))
+    part = Draw(mode, 0, len(chosen), None, draw.matrices, material, state, vertices)
+    part.color = draw.color
+    return part

@@ -1,0 +1,11 @@
+// glClipPlane: what has a negative distance from an enabled plane is cut off
+
+#if CLIPPING
+out float gl_ClipDistance[6];
+
+void clip(vec4 P)   // P: in eye space
+{
+    for (int i = 0; i < 6; i++)
+        gl_ClipDistance[i] = CLIP_PLANE[i] ? dot(clip_planes[i], P) : 1.0;
+}
+#endif
