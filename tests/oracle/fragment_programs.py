@@ -6,7 +6,7 @@ import math
 from functools import partial
 
 from glsim.gl import *
-from tests.oracle.programs import PROGRAMS, SHINY, ball, camera, lamp, material, pixel_coordinates, program
+from tests.oracle.programs import PROGRAMS, SHINY, ball, camera, lamp, material, pixel_coordinates, program, wheel
 
 # ---------------------------------------------------------------- points and lines
 
@@ -141,9 +141,11 @@ def wireframe_lit_and_two_sided() -> None:
     lamp()
     material(GL_FRONT, **SHINY)
     material(GL_BACK, diffuse=(0, 0.8, 0.3, 1))
-    glDisable(GL_DEPTH_TEST)  # two polygons draw the same edge: which of them is in front is a matter of rounding
-    glRotatef(25, 1, 0, 0)
-    ball(10, 7, mode=GL_TRIANGLES)
+    for turn in (40, 200):
+        glPushMatrix()
+        glRotatef(turn, 0.3, 1, 0)
+        wheel(lambda k: None)
+        glPopMatrix()
 
 
 # ---------------------------------------------------------------- clip planes
