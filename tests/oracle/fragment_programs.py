@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import partial
 
 from glsim.gl import *
@@ -349,3 +350,55 @@ def stencil_masks() -> None:
     glStencilFunc(GL_EQUAL, 0x0E, 0x0F)
     glColor3f(0.9, 0.1, 0.1)
     glRectf(-0.9, -0.9, 0.9, 0.9)
+
+
+# ---------------------------------------------------------------- wide and stippled lines
+
+# Where a wide line ends and where a stipple pattern changes may differ by one pixel: drivers have their own rules there.
+LINES: dict[str, Callable[[], None]] = {}
+
+
+for _width in (2.0, 3.0, 5.4, 9.0):
+
+    @partial(LINES.__setitem__, f"line_width_{_width:g}")
+    def _wide(width: float = _width) -> None:
+        glClear(GL_COLOR_BUFFER_BIT)
+        glLineWidth(width)
+        star()
+
+
+@partial(LINES.__setitem__, "wide_lines_flat_in_perspective")
+def wide_lines_lit_flat_in_perspective() -> None:
+    glShadeModel(GL_FLAT)
+    camera(2.2)
+    glLineWidth(4.0)
+    glRotatef(60, 1, 0.2, 0)
+    for k in range(6):
+        glBegin(GL_LINE_STRIP)
+        for j in range(5):
+            glColor3f(k / 6, j / 5, 0.6)
+            glVertex3f(0.4 * j - 0.9, 0.35 * k - 0.9, 0.1 * (j % 2))
+        glEnd()
+
+
+for _pattern, _factor in ((0x00FF, 1), (0xAAAA, 1), (0x0C0F, 3)):
+
+    @partial(LINES.__setitem__, f"line_stipple_{_pattern:04x}_{_factor}")
+    def _stippled(pattern: int = _pattern, factor: int = _factor) -> None:
+        glClear(GL_COLOR_BUFFER_BIT)
+        glEnable(GL_LINE_STIPPLE)
+        glLineStipple(factor, pattern)
+        star()
+        glBegin(GL_LINE_LOOP)
+        for k in range(7):
+            glVertex2f(0.93 * math.cos(k * 0.9), 0.93 * math.sin(k * 0.9))
+        glEnd()
+
+
+@partial(LINES.__setitem__, "line_stipple_wide")
+def line_stipple_wide() -> None:
+    glClear(GL_COLOR_BUFFER_BIT)
+    glEnable(GL_LINE_STIPPLE)
+    glLineStipple(2, 0x3F07)
+    glLineWidth(3.0)
+    star()

@@ -11,6 +11,7 @@ import glsim
 from glsim.render.native import Native
 from glsim.study.capture import capture
 from tests.oracle import PROGRAMS
+from tests.oracle.fragment_programs import LINES
 from tests.oracle.measure import Difference, measure
 
 # A concave or self-crossing polygon has no defined triangulation, so nothing is asserted about where it is split.
@@ -32,6 +33,25 @@ def test_program(name: str, screen: glsim.Offscreen, native: Native) -> None:
     assert found.coverage == 0, f"{found.coverage} pixels are covered by one only"
     assert found.within_1 >= 0.999, found
     assert found.worst <= 3, found
+
+
+def grown(covered: np.ndarray) -> np.ndarray:
+    """Covered pixels and their neighbours."""
+    padded = np.pad(covered, 1)
+    height, width = covered.shape
+    return np.any([padded[y : y + height, x : x + width] for y in range(3) for x in range(3)], axis=0)
+
+
+@pytest.mark.parametrize("name", LINES)
+def test_wide_and_stippled_lines(name: str, screen: glsim.Offscreen, native: Native) -> None:
+    with capture(calls=True) as frame:
+        LINES[name]()
+    ours, theirs = screen.pixels(), native.replay(frame.calls)
+    a, b = ours.any(axis=2), theirs.any(axis=2)
+    assert a.sum() == pytest.approx(b.sum(), rel=0.06)
+    assert not (a & ~grown(b)).any()
+    assert not (b & ~grown(a)).any()
+    assert measure(ours, theirs).within_1 > 0.99
 
 
 def test_the_comparison_can_fail(screen: glsim.Offscreen, native: Native) -> None:
