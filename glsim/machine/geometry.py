@@ -19,6 +19,7 @@ from glsim.machine.record import implementations
 NAN = float("nan")
 PLAIN = {1: GL_POINTS, 2: GL_LINES, 3: GL_TRIANGLES}
 MOST_VARIANTS = 16
+REGISTERS = ("nx", "ny", "nz", "red", "green", "blue", "alpha")
 
 
 class _NoDevice:
@@ -35,7 +36,9 @@ class Geometry:
     def __init__(self, calls: Sequence[Call], clients: Sequence[dict[Any, Any] | None]) -> None:
         machine = _execute(calls, clients)
         self.draws: list[Draw] = [packet for packet in machine.packets if isinstance(packet, Draw)]
-        self.after = (machine.nx, machine.ny, machine.nz, machine.red, machine.green, machine.blue, machine.alpha)
+        self.after = {
+            name: getattr(machine, name) for name in REGISTERS if getattr(machine, name) == getattr(machine, name)
+        }
         self.after_current = {n: v for n, v in machine.current.items() if v[0] == v[0]}
         vertices = machine.take_vertices()
         self.vertices = Vertices(vertices.rows, vertices.columns, [], static=True)
@@ -43,29 +46,27 @@ class Geometry:
         self.no_normal, self.no_color = np.isnan(rows[:, 3]), np.isnan(rows[:, 6])
         self.no_column = {n: np.isnan(v[:, 0]) for n, v in vertices.columns.items() if np.isnan(v[:, 0]).any()}
         self.color_is_callers = bool(self.no_color.all())
+        self.takes_normal = bool(self.no_normal.any())
+        self.takes_color = bool(self.no_color.any()) and not self.color_is_callers
         self.variants: dict[Any, Vertices] = {}
         self.order: list[tuple[int, NDArray[np.uint32]]] | None = None
 
     def call(self, m: Machine) -> None:
         """Draw with the machine's present state, and leave the current values that the list sets."""
-        vertices = self._resolved(m)
-        color = (m.red, m.green, m.blue, m.alpha) if self.color_is_callers else None
         state, matrices = m.snapshot(), (m.modelview[-1], m.projection[-1])
-        polygon = state.polygon
-        if polygon.front_mode == polygon.back_mode == GL_FILL and not state.line.stipple:
-            for mode, indices in self._assembled():
-                draw = Draw(mode, 0, len(vertices.rows), indices, matrices, m.material, state, vertices)
-                draw.color = color
-                m.packets.append(draw)
+        filled = state.polygon.front_mode == state.polygon.back_mode == GL_FILL
+        vertices = self._resolved(m, not filled or state.fog.color_sum or state.fog.enabled)
+        color = (m.red, m.green, m.blue, m.alpha) if self.color_is_callers else None
+        if filled and not state.line.stipple:
+            parts: list[Any] = [(mode, 0, len(vertices.rows), indices) for mode, indices in self._assembled()]
         else:
-            for part in self.draws:
-                draw = Draw(part.mode, part.first, part.count, part.indices, matrices, m.material, state, vertices)
-                draw.color = color
-                m.packets.append(draw)
-        m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha = (
-            new if new == new else old
-            for new, old in zip(self.after, (m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha), strict=True)
-        )
+            parts = [(part.mode, part.first, part.count, part.indices) for part in self.draws]
+        for mode, first, count, indices in parts:
+            draw = Draw(mode, first, count, indices, matrices, m.material, state, vertices)
+            draw.color = color
+            m.packets.append(draw)
+        for name, value in self.after.items():
+            setattr(m, name, value)
         if self.after_current:
             m.current = self.after_current
 
@@ -79,15 +80,13 @@ class Geometry:
                     self.order.append((PLAIN[kind], indices))
         return self.order
 
-    def _resolved(self, m: Machine) -> Vertices:
-        """The vertices with the machine's values where the list sets none."""
-        takes_normal = self.no_normal.any()
-        takes_color = self.no_color.any() and not self.color_is_callers
-        current = m.current if self.no_column else {}
+    def _resolved(self, m: Machine, all_columns: bool) -> Vertices:
+        """The vertices with the machine's values where the list sets none; of the columns only if they are needed."""
+        current = m.current if all_columns and self.no_column else {}
         key = (
-            (m.nx, m.ny, m.nz) if takes_normal else None,
-            (m.red, m.green, m.blue, m.alpha) if takes_color else None,
-            tuple(current[name] for name in self.no_column),
+            (m.nx, m.ny, m.nz) if self.takes_normal else None,
+            (m.red, m.green, m.blue, m.alpha) if self.takes_color else None,
+            tuple(current[name] for name in self.no_column) if current else None,
         )
         found = self.variants.get(key)
         if found is None:
@@ -97,7 +96,7 @@ class Geometry:
             rows[self.no_normal, 3:6] = m.nx, m.ny, m.nz
             rows[self.no_color, 6:10] = m.red, m.green, m.blue, m.alpha
             columns = dict(self.vertices.columns)
-            for name, missing in self.no_column.items():
+            for name, missing in self.no_column.items() if current else ():
                 columns[name] = np.where(missing[:, None], np.array(current[name], np.float32), columns[name])
             found = self.variants[key] = Vertices(rows, columns, [], static=True)
         return found

@@ -29,13 +29,13 @@ MERGE_BELOW = 4096
 PLAIN = {1: GL_POINTS, 2: GL_LINES, 3: GL_TRIANGLES}
 
 
-@dataclass(frozen=True, eq=False)
 class Object:
     """What Draws of one batch may differ in: a row of the Transforms and of the Materials."""
 
-    matrices: tuple[Matrix, Matrix]
-    material: Material
-    color: Color | None
+    __slots__ = ("color", "material", "matrices")
+
+    def __init__(self, matrices: tuple[Matrix, Matrix], material: Material, color: Color | None) -> None:
+        self.matrices, self.material, self.color = matrices, material, color
 
     def same(self, other: Object) -> bool:
         a, b = self.matrices, other.matrices
@@ -85,28 +85,22 @@ def plans(draws: Sequence[Draw], limit: int) -> tuple[list[Object], list[Plan]]:
     return objects, result
 
 
-def _grouping(draw: Draw) -> tuple[int, int]:
+def _grouping(draw: Draw) -> tuple[int, ...]:
     """Draws of one block belong together; of a static one only those that draw the same of it."""
-    return id(draw.vertices), id(draw.indices) if draw.block.static else 0
+    if not draw.block.static:
+        return (id(draw.vertices),)
+    return (id(draw.vertices), id(draw.indices), draw.mode, draw.first, draw.count)
 
 
 def _instances(draws: list[Draw], limit: int, objects: list[Object]) -> Plan:
+    """The same part of a display list, again and again: one batch draws it once for each of its objects."""
     first = draws[0]
     indices = _assembled(first, first.first, first.count, keep=True)
     result = Plan(first.block, indices=indices, instances=True)
+    batch: Batch | None = None
     for draw in draws:
-        batch = result.batches[-1] if result.batches else None
-        same_part = batch is not None and (batch.draws[0].first, batch.draws[0].count, batch.draws[0].mode) == (
-            draw.first, draw.count, draw.mode,
-        )  # fmt: skip
-        if batch is None or not same_part or batch.objects >= limit or batch.state != draw.state:
+        if batch is None or batch.objects >= limit or batch.state != draw.state:
             batch = Batch(draw.state, corners(draw.mode), draw.block, len(objects), 0, [draw], 0, len(indices))
-            if result.batches and not same_part:  # another part of the list, drawn without merging
-                chosen = _assembled(draw, draw.first, draw.count)
-                batch.start, batch.count = len(result.indices), len(chosen)
-                result.indices = np.concatenate([result.indices, chosen])
-            elif result.batches:
-                batch.start, batch.count = result.batches[-1].start, result.batches[-1].count
             result.batches.append(batch)
         objects.append(Object(draw.matrices, draw.material, draw.color))
         batch.objects += 1
