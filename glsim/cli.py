@@ -7,9 +7,13 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from glsim.machine.errors import GLError
 
 if TYPE_CHECKING:
     from glsim.scenes import Camera, Lamp
@@ -23,7 +27,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("glsim: interrupted", file=sys.stderr)
         return 130
-    except (ValueError, OSError, RuntimeError, NotImplementedError) as error:
+    except (ValueError, OSError, RuntimeError, GLError) as error:
         if options.json:
             print(json.dumps({"status": "error", "error": str(error)}))
         else:
@@ -35,7 +39,7 @@ def _with_negative_numbers(words: Sequence[str]) -> list[str]:
     """ "--light", "-2,3,4" -> "--light=-2,3,4": argparse would take -2,3,4 for an option."""
     joined: list[str] = []
     for word in words:
-        if joined and joined[-1] in ("--light", "--camera") and word[:1] == "-" and word[1:2].isdigit():
+        if joined and joined[-1] in ("--light", "--camera") and re.match(r"-\.?\d", word):
             joined[-1] += "=" + word
         else:
             joined.append(word)
@@ -121,9 +125,13 @@ def _compare(options: argparse.Namespace) -> int:
     if not options.scene:
         print("glsim compare: name a scene or a mesh file; --list shows the built-in scenes", file=sys.stderr)
         return 2
+    from PIL import Image
     from rich.console import Console
 
     from glsim.study.compare import compare
+
+    if Path(options.output).suffix.lower() not in Image.registered_extensions():
+        raise ValueError(f"{options.output}: the name must end in .png, .jpg or another picture format")
 
     with Console(stderr=True).status("") as status:
         result = compare(
@@ -142,15 +150,16 @@ def _compare(options: argparse.Namespace) -> int:
         print(json.dumps({"status": "ok", "scene": result.title, "output": options.output, "differences": rows}))
         return 0
     from rich.table import Table
+    from rich.text import Text
 
-    table = Table(title=f"{result.title}: difference from {result.modes[0]}, in 1/255")
+    table = Table(title=Text(f"{result.title}: difference from {result.modes[0]}, in 1/255"))
     for heading in ("lobe", "mode", "max", "mean"):
         table.add_column(heading, justify="right" if heading in ("max", "mean") else "left")
     for row in rows:
         table.add_row(row["lobe"], row["mode"], str(row["max"]), f"{row['mean']:.2f}")
     console = Console()
     console.print(table)
-    console.print(f"wrote {options.output}")
+    print(f"wrote {options.output}")
     return 0
 
 

@@ -5,6 +5,7 @@
 #include "material.glsl"
 #include "light.glsl"
 #include "raster.glsl"
+#include "texture.glsl"
 #include "fog.glsl"
 #include "tests.glsl"
 
@@ -16,6 +17,7 @@ SHADED in vec3 back_highlight;
 in vec3 eye_position;
 in vec3 eye_normal;
 in vec4 vertex_color;
+in vec4 texture_coordinates;
 in float fog_distance;
 noperspective in float along_line;
 flat in uint object_row;
@@ -38,6 +40,7 @@ void main()
         else shade(track(material.front, vertex_color, FRONT_TRACKS), N, eye_position, color, highlight);
     }
 
+    if (TEXTURE) color = textured(color, texel(texture_coordinates));
     if (SEPARATE_SPECULAR || COLOR_SUM) color.rgb = min(color.rgb + highlight, 1.0);
     if (FOG != FOG_OFF) color.rgb = mix(fog_color.rgb, color.rgb, fog_factor(fog_distance));
     if (!alpha_test(color.a)) discard;

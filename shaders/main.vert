@@ -16,6 +16,7 @@ in vec3 normal;
 in vec4 color;              // not if OBJECT_COLOR: then all vertices have the colour of their object
 in vec4 secondary_color;    // only if COLOR_SUM
 in float fog_coord;         // only if FOG_COORDINATE
+in vec4 texcoord0;          // only if TEXTURE
 in uint object;             // only if MANY_OBJECTS: the row of transforms and materials that this vertex uses
 in vec4 other_end;          // only if WIDE_LINES: the line's other end, in object space
 in float line_side;         // only if WIDE_LINES: -1 or 1
@@ -29,6 +30,7 @@ SHADED out vec3 back_highlight;
 out vec3 eye_position;              // only if the equation runs per fragment
 out vec3 eye_normal;
 out vec4 vertex_color;
+out vec4 texture_coordinates;       // only if TEXTURE
 out float fog_distance;             // only with fog
 noperspective out float along_line; // only if LINE_STIPPLE
 flat out uint object_row;
@@ -61,6 +63,7 @@ void main()
     front_color = back_color = vertex_color = clamp(own_color, 0.0, 1.0);
     front_highlight = back_highlight = COLOR_SUM ? clamp(secondary_color.rgb, 0.0, 1.0) : vec3(0.0);
     if (LINE_STIPPLE) along_line = line_start;
+    if (TEXTURE) texture_coordinates = transform.texture * texcoord0;
 
     P = transform.modelview * P;    // in eye space from here on
 #if CLIPPING

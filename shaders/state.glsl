@@ -4,7 +4,8 @@ struct Transform {
     mat4 modelview_projection;  // object space -> clip space: glMatrixMode(GL_PROJECTION) times GL_MODELVIEW
     mat4 modelview;             // object space -> eye space
     mat3 normal;                // inverse transpose of modelview: takes normals to eye space
-    vec4 unused[5];
+    mat4 texture;               // glMatrixMode(GL_TEXTURE)
+    vec4 unused;
 };
 
 // One side of a surface: glMaterial

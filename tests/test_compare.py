@@ -82,6 +82,23 @@ def test_a_trimesh_is_taken() -> None:
     assert result.images["blinn", "gouraud"].max() > 100
 
 
+def test_a_function_that_draws_nothing_here_is_told() -> None:
+    def draw() -> None:
+        own = glsim.offscreen(16, 16)
+        glClear(GL_COLOR_BUFFER_BIT)
+        own.pixels()
+
+    with pytest.raises(ValueError, match="draw draws nothing here: does it open a context of its own"):
+        compare(draw, size=32)
+
+
+def test_fixed_function_has_one_lobe(native: Native) -> None:
+    result = compare("cube", size=48, modes=["gouraud", "native"])
+    assert ("blinn", "native") in result.images
+    assert ("phong", "native") not in result.images
+    assert result.sheet.size[0] > 96
+
+
 def test_the_current_context_is_put_back(screen: glsim.Offscreen) -> None:
     glColor3f(0.25, 0, 0)
     compare("cube", size=32, lobes=["blinn"], modes=["flat"])
@@ -136,6 +153,8 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     [
         (["compare", "nosuch.obj"], 1, "there is no such file"),
         (["compare", "cube", "--modes", "x"], 1, "modes are"),
+        (["compare", "cube", "-o", "noext"], 1, "noext: the name must end in .png"),
+        (["compare", "cube", *["--light", "-.5,1,1"] * 9], 1, "at most 8 lights, not 9"),
         (["compare"], 2, "name a scene or a mesh file"),
         (["compare", "cube", "--size", "9999999"], 2, "a number of pixels from 16 to 4096"),
         (["compare", "cube", "--light", "1,2"], 2, "3 to 5 numbers are needed"),

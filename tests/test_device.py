@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+import threading
 
 import numpy as np
 import pytest
@@ -134,6 +135,86 @@ def test_multisampling(samples: int) -> None:
     assert len(levels) > 2
 
 
+def test_depth_of_a_multisampled_picture() -> None:
+    screen = glsim.offscreen(32, 32, samples=4)
+    glEnable(GL_DEPTH_TEST)
+    glTranslatef(0, 0, -0.5)
+    triangle((1, 1, 1))
+    assert np.allclose(screen.depth(), 0.25, atol=1e-6)
+    glDisable(GL_MULTISAMPLE)
+    glLoadIdentity()
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glRotatef(20, 0, 0, 1)
+    glRectf(-0.5, -0.5, 0.5, 0.5)
+    assert len(np.unique(screen.pixels()[..., 0])) == 2
+    screen.release()
+
+
+def test_a_context_made_in_a_with_statement_gives_the_outer_one_back(screen: glsim.Offscreen) -> None:
+    with glsim.offscreen(16, 16):
+        assert glGetIntegerv(GL_VIEWPORT)[2] == 16
+    assert glGetIntegerv(GL_VIEWPORT)[2] == 128
+
+
+def test_contexts_that_nobody_holds_are_freed() -> None:
+    program = """
+import gc, resource, glsim
+from glsim.gl import *
+def use():
+    screen = glsim.offscreen(512, 512)
+    glRectf(0, 0, 1, 1)
+    screen.pixels()
+for k in range(10): use()
+gc.collect()
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+for k in range(40): use(); gc.collect()
+print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024)
+"""
+    done = python(program)
+    assert float(done.stdout) < 60, done.stderr
+
+
+def test_a_released_context_says_so(screen: glsim.Offscreen) -> None:
+    other = glsim.offscreen(8, 8)
+    other.release()
+    other.release()
+    with pytest.raises(RuntimeError, match="this context was released"):
+        other.pixels()
+    screen.make_current()
+    glFlush()
+
+
+def test_another_thread_is_refused(screen: glsim.Offscreen) -> None:
+    said = []
+
+    def draw() -> None:
+        try:
+            screen.pixels()
+        except RuntimeError as error:
+            said.append(str(error))
+
+    thread = threading.Thread(target=draw)
+    thread.start()
+    thread.join()
+    assert said == ["a context can only be drawn with in the thread that made it"]
+
+
+def test_egl_and_osmesa_side_by_side() -> None:
+    program = """
+import glsim
+from glsim.gl import *
+def fill(*c): glClearColor(*c, 1); glClear(GL_COLOR_BUFFER_BIT)
+a = glsim.offscreen(32, 32, backend="egl"); fill(1, 0, 0); a.pixels()
+b = glsim.offscreen(32, 32, backend="osmesa"); fill(0, 1, 0); b.pixels()
+a.make_current(); fill(0, 0, 1)
+print(a.pixels()[0, 0].tolist(), b.pixels()[0, 0].tolist())
+"""
+    done = python(program)
+    if "no OpenGL context" in done.stderr:
+        pytest.skip("EGL or libOSMesa is not installed")
+    assert done.stdout.strip() == "[0, 0, 255, 255] [0, 255, 0, 255]"
+
+
 def test_osmesa_draws_the_same() -> None:
     program = f"import glsim\nfrom glsim.gl import *\ns = glsim.offscreen(32, 32, backend='osmesa')\n{TRIANGLE}\n"
     done = python(program + "print(s.backend, int((s.pixels()[..., 0] > 0).sum()))")
@@ -164,7 +245,7 @@ def test_sizes_that_cannot_be(arguments: tuple[int, int], sentence: str) -> None
 
 
 def test_samples_that_cannot_be() -> None:
-    with pytest.raises(ValueError, match="samples must be from 0 to"):
+    with pytest.raises(ValueError, match="samples must be one of 0, 2"):
         glsim.offscreen(8, 8, samples=1000)
 
 

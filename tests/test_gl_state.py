@@ -117,6 +117,9 @@ def test_a_thousand_turns_are_evaluated_late_and_kept_short(screen: glsim.Offscr
         (lambda: glDrawArrays(GL_TRIANGLES, 0, -3), "glDrawArrays: first and count must be at least 0"),
         (lambda: glDrawElements(GL_TRIANGLES, 3, GL_FLOAT, [0]), "glDrawElements: type must be"),
         (lambda: glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, [0]), "indices holds 1 numbers, but count is 3"),
+        (lambda: glNormalPointer(GL_UNSIGNED_BYTE, 0, [0.0]), "glNormalPointer: type must be GL_BYTE or GL_SHORT"),
+        (lambda: glDrawElements(GL_POINTS, 1, GL_UNSIGNED_BYTE, np.array([256])), "indices from 256 to 256 do not fit"),
+        (lambda: glDrawElements(GL_POINTS, 1, GL_UNSIGNED_INT, np.array([-1])), "indices from -1 to -1 do not fit"),
         (lambda: glVertexPointer(5, GL_FLOAT, 0, [0.0]), "glVertexPointer: size must be 2 or 3 or 4, not 5"),
         (lambda: glEnableClientState(GL_LIGHTING), "glEnableClientState: array must be"),
         (lambda: glInterleavedArrays(GL_LINES, 0, [0.0]), "glInterleavedArrays: format must be"),
@@ -243,6 +246,10 @@ def test_other_return_types(screen: glsim.Offscreen) -> None:
     assert glIsEnabled(GL_DITHER) == 1
     assert type(glIsEnabled(GL_LIGHTING)) is int
     assert isinstance(glGetString(GL_VENDOR), bytes)
+    assert glIsEnabled(GL_VERTEX_ARRAY) == 0
+    answer = [0] * 16
+    assert glGetFloatv(GL_MODELVIEW_MATRIX, answer) is answer
+    assert answer[0] == answer[15] == 1
     assert glGetString(GL_VERSION).startswith(b"1.5 ")
     target = np.zeros(4, "f4")
     assert glGetFloatv(GL_CURRENT_COLOR, target) is target

@@ -8,6 +8,7 @@ import pytest
 import glsim
 from glsim.gl import *
 from glsim.machine.current import make_current
+from glsim.study.capture import capture
 
 MODES = (
     GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,
@@ -88,6 +89,37 @@ def test_a_bad_current_normal_is_named(screen: glsim.Offscreen) -> None:
     glBegin(GL_POINTS)
     with pytest.raises(TypeError, match=r"the current normal \(glNormal\) is not made of numbers"):
         glVertex3f(0, 0, 0)
+
+
+def test_a_missing_end_is_told(screen: glsim.Offscreen) -> None:
+    glBegin(GL_QUADS)
+    with pytest.raises(GLError, match=r"glBegin\(GL_QUADS\) has no glEnd yet"):
+        screen.pixels()
+    glEnd()
+
+
+def test_a_bad_rectangle_leaves_everything_as_it_was(screen: glsim.Offscreen) -> None:
+    with pytest.raises(TypeError, match="glRectf: y2 must be a number, not None"):
+        glRectf(0, 0, 1, None)
+    glEnable(GL_LIGHTING)
+    glColor3f(None, 0, 0)
+    with pytest.raises(TypeError, match="glRectf: an argument, the current color"):
+        glRectf(0, 0, 1, 1)
+
+
+def test_many_materials_inside_many_primitives_take_no_time(screen: glsim.Offscreen) -> None:
+    """The search for the changes of one primitive does not look at those of all others."""
+    glEnable(GL_LIGHTING)
+    for i in range(3000):
+        glBegin(GL_QUADS)
+        for k in range(4):
+            glMaterialfv(GL_FRONT, GL_DIFFUSE, (k / 4, i / 3000, 0, 1))
+            glVertex2f(k / 4, i / 3000)
+        glEnd()
+    with capture() as frame:
+        pass
+    assert not frame.packets
+    screen.pixels()
 
 
 def test_nan_vertices_draw_nothing_and_crash_nothing(screen: glsim.Offscreen) -> None:

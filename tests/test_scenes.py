@@ -9,7 +9,7 @@ import pytest
 import trimesh
 
 from glsim.scenes import BUILT_IN, MATERIALS, MeshError, material, open_scene
-from glsim.scenes.load import load
+from glsim.scenes.load import from_trimesh, load
 from glsim.scenes.mesh import Mesh, with_normals
 from glsim.scenes.shapes import patches, sphere, teapot, torus
 
@@ -144,6 +144,23 @@ def test_missing_files_and_names() -> None:
         open_scene("nosuch.obj")
     with pytest.raises(ValueError, match="the number of slices must be from 1 to 2000, not 'x'"):
         open_scene("sphere:x")
+
+
+@pytest.mark.parametrize(("shift", "scale"), [((4.5e5, 5.4e6, 300), 1.0), ((0, 0, 0), 1e-30), ((0, 0, 0), 1e30)])
+def test_far_away_and_of_extreme_size(shift: tuple[float, ...], scale: float) -> None:
+    ball = trimesh.creation.icosphere(subdivisions=2)
+    ball.vertices = ball.vertices * scale + shift
+    (mesh,) = from_trimesh([ball], "ball")
+    assert np.allclose(np.linalg.norm(mesh.positions, axis=1), 1, atol=0.01)
+    assert np.einsum("ij,ij->i", mesh.positions, mesh.normals).min() > 0.98
+
+
+def test_faces_without_vertices() -> None:
+    ball = trimesh.Trimesh([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 9)], process=False)
+    with pytest.raises(MeshError, match="uses vertex 9, but there are 3 vertices"):
+        from_trimesh([ball], "ball")
+    with pytest.raises(MeshError, match="has no triangles"):
+        from_trimesh([trimesh.Trimesh()], "nothing")
 
 
 def test_degenerate_triangles_are_left_out(tmp_path: Path) -> None:

@@ -41,13 +41,13 @@ def test_variants_of_a_family() -> None:
 
 
 def test_what_is_missing_says_so(screen: object) -> None:
-    assert "glTexImage2D" in gl.UNSUPPORTED
+    assert "glTexImage3D" in gl.UNSUPPORTED
     assert "glLightfv" not in gl.UNSUPPORTED
     with pytest.raises(NotImplementedError, match=r"glAccum is not in glsim yet.*UNSUPPORTED"):
         gl.glAccum(gl.GL_LOAD, 1.0)
-    with pytest.raises(NotImplementedError, match="GL_TEXTURE_2D"):
-        gl.glEnable(gl.GL_TEXTURE_2D)
-    gl.glDisable(gl.GL_TEXTURE_2D)
+    with pytest.raises(NotImplementedError, match="GL_TEXTURE_3D"):
+        gl.glEnable(gl.GL_TEXTURE_3D)
+    gl.glDisable(gl.GL_TEXTURE_3D)
 
 
 def test_star_import_gives_commands_and_constants_only() -> None:

@@ -20,7 +20,7 @@ from __future__ import annotations
 import ctypes
 from typing import Any
 
-from glsim.gl import arrays, attrib, enable, fragment, immediate, light, lists, matrix, query, raster, vertex
+from glsim.gl import arrays, attrib, enable, fragment, immediate, light, lists, matrix, query, raster, texture, vertex
 from glsim.gl.dispatch import SUFFIX_FREE, missing, suffix_free, typed_arrays, variant
 from glsim.machine import constants
 from glsim.machine.commands import COMMANDS
@@ -36,7 +36,7 @@ GLenum, GLbitfield, GLsizei, GLboolean = ctypes.c_uint, ctypes.c_uint, ctypes.c_
 GLclampf, GLclampd, GLvoid = ctypes.c_float, ctypes.c_double, None
 
 
-_TOPICS = (vertex, arrays, matrix, light, raster, fragment, enable, attrib, lists, query)
+_TOPICS = (vertex, arrays, matrix, light, raster, fragment, texture, enable, attrib, lists, query)
 _BODIES = {
     name: body
     for topic in _TOPICS

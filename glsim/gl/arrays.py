@@ -14,13 +14,17 @@ from glsim.gl.arguments import DTYPES, array_from
 from glsim.machine import constants
 from glsim.machine.assembly import MINIMUM
 from glsim.machine.constants import (
+    GL_BYTE,
     GL_COLOR_ARRAY,
+    GL_DOUBLE,
     GL_EDGE_FLAG_ARRAY,
     GL_FLOAT,
     GL_FOG_COORDINATE_ARRAY,
     GL_INDEX_ARRAY,
+    GL_INT,
     GL_NORMAL_ARRAY,
     GL_SECONDARY_COLOR_ARRAY,
+    GL_SHORT,
     GL_TEXTURE0,
     GL_TEXTURE_COORD_ARRAY,
     GL_UNSIGNED_BYTE,
@@ -58,11 +62,23 @@ class Client(NamedTuple):
     pointer: Pointer = Pointer()
 
 
+# number types that a client array takes (table 2.4); the others take all
+SIGNED = (GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE)
+POINTER_TYPES: dict[int, tuple[Enum, ...]] = {
+    GL_VERTEX_ARRAY: SIGNED,
+    GL_NORMAL_ARRAY: (GL_BYTE, *SIGNED),
+    GL_TEXTURE_COORD_ARRAY: SIGNED,
+    GL_FOG_COORDINATE_ARRAY: (GL_FLOAT, GL_DOUBLE),
+}
+
+
 def _set_pointer(m: Machine, array: int, pointer: Pointer, sizes: tuple[int, ...]) -> None:
     if pointer.size not in sizes:
         raise invalid_value("size", pointer.size, " or ".join(map(str, sizes)))
-    if pointer.type not in DTYPES:
-        raise invalid_enum("type", pointer.type, "GL_FLOAT, GL_UNSIGNED_BYTE or another number type")
+    allowed = POINTER_TYPES.get(array)
+    if pointer.type not in (allowed or DTYPES):
+        words = " or ".join(map(repr, allowed)) if allowed else "GL_FLOAT, GL_UNSIGNED_BYTE or another number type"
+        raise invalid_enum("type", pointer.type, words)
     if pointer.stride < 0:
         raise invalid_value("stride", pointer.stride, "at least 0")
     data = None if pointer.data is None else array_from(pointer.data, DTYPES[pointer.type], "pointer")
@@ -212,8 +228,8 @@ def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], Col
     vertex = client(m, GL_VERTEX_ARRAY)
     if not _usable(vertex):
         return None
-    rows = np.empty((count, ROW), np.float32)
     positions = elements(vertex.pointer, first, count)
+    rows = np.empty((count, ROW), np.float32)
     size = vertex.pointer.size
     rows[:, : min(size, 3)] = positions[:, :3]
     if size == 2:
@@ -271,7 +287,7 @@ def glDrawElements(m: Machine, mode: int, count: int, type: int, indices: Any) -
     if type not in INDEX_TYPES:
         raise invalid_enum("type", type, "GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT")
     dtype = DTYPES[type]
-    numbers: NDArray[Any] = array_from(indices, dtype, "indices").view(dtype)
+    numbers: NDArray[Any] = array_from(_checked(indices, dtype), dtype, "indices").view(dtype)
     if numbers.size < count:
         raise ValueError(f"indices holds {numbers.size} numbers, but count is {count}")
     numbers = numbers[:count].astype(np.uint32)
@@ -281,6 +297,19 @@ def glDrawElements(m: Machine, mode: int, count: int, type: int, indices: Any) -
     found = gather(m, least, most - least + 1)
     if found is not None:
         m.add_draw(mode, *found, numbers - np.uint32(least))
+
+
+def _checked(indices: Any, dtype: type) -> Any:
+    """Indices that fit their type as they are: neither fractions nor numbers that would wrap."""
+    if isinstance(indices, (bytes, bytearray, memoryview)) or indices is None:
+        return indices
+    array = np.asarray(indices)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"indices must be integers, not {array.dtype}")
+    least, most = (int(array.min()), int(array.max())) if array.size else (0, 0)
+    if least < 0 or most > np.iinfo(dtype).max:
+        raise ValueError(f"indices from {least} to {most} do not fit the type, which holds 0 to {np.iinfo(dtype).max}")
+    return array
 
 
 def glDrawRangeElements(m: Machine, mode: int, start: int, end: int, count: int, type: int, indices: Any) -> None:

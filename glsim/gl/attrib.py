@@ -24,6 +24,7 @@ from glsim.machine.constants import (
     GL_POLYGON_STIPPLE_BIT,
     GL_SCISSOR_BIT,
     GL_STENCIL_BUFFER_BIT,
+    GL_TEXTURE_BIT,
     GL_TRANSFORM_BIT,
     GL_VIEWPORT_BIT,
 )
@@ -38,6 +39,7 @@ GROUPS: dict[int, tuple[str, ...]] = {
     GL_POLYGON_BIT: ("polygon",),
     GL_POLYGON_STIPPLE_BIT: ("polygon_stipple",),
     GL_LIGHTING_BIT: ("lighting", "material"),
+    GL_TEXTURE_BIT: ("texture",),
     GL_FOG_BIT: ("fog",),
     GL_DEPTH_BUFFER_BIT: ("depth",),
     GL_STENCIL_BUFFER_BIT: ("stencil",),

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
+from ctypes import ArgumentError
+from struct import error as StructError  # noqa: N812
 from typing import Any
 
 import numpy as np
@@ -32,7 +34,7 @@ from glsim.machine.errors import GLError, explain
 
 Function = Callable[..., Any]
 m: Any
-errors = (GLError, TypeError, ValueError, OverflowError, NotImplementedError)
+errors = (GLError, TypeError, ValueError, OverflowError, NotImplementedError, StructError, ArgumentError)
 explained = explain  # the template's names: m, errors, explained
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from glsim.gl.arrays import ARRAYS, client
 from glsim.gl.light import set_color_material
 from glsim.machine import constants
 from glsim.machine.constants import (
@@ -33,6 +34,8 @@ from glsim.machine.constants import (
     GL_SAMPLE_COVERAGE,
     GL_SCISSOR_TEST,
     GL_STENCIL_TEST,
+    GL_TEXTURE_1D,
+    GL_TEXTURE_2D,
     Enum,
 )
 from glsim.machine.errors import invalid_enum
@@ -54,6 +57,8 @@ CAPS: dict[int, tuple[str, str]] = {
     GL_POLYGON_OFFSET_FILL: ("polygon", "offset_fill"),
     GL_POLYGON_OFFSET_LINE: ("polygon", "offset_line"),
     GL_POLYGON_OFFSET_POINT: ("polygon", "offset_point"),
+    GL_TEXTURE_1D: ("texture", "enabled_1d"),
+    GL_TEXTURE_2D: ("texture", "enabled_2d"),
     GL_FOG: ("fog", "enabled"),
     GL_COLOR_SUM: ("fog", "color_sum"),
     GL_DEPTH_TEST: ("depth", "test"),
@@ -75,7 +80,7 @@ SERIES: dict[int, tuple[str, str, int]] = {
 }
 # caps of OpenGL 1.5 that come with a later version
 _LATER = """
-GL_AUTO_NORMAL GL_INDEX_LOGIC_OP GL_TEXTURE_1D GL_TEXTURE_2D GL_TEXTURE_3D GL_TEXTURE_CUBE_MAP
+GL_AUTO_NORMAL GL_INDEX_LOGIC_OP GL_TEXTURE_3D GL_TEXTURE_CUBE_MAP
 GL_TEXTURE_GEN_Q GL_TEXTURE_GEN_R GL_TEXTURE_GEN_S GL_TEXTURE_GEN_T
 GL_MAP1_COLOR_4 GL_MAP1_INDEX GL_MAP1_NORMAL GL_MAP1_TEXTURE_COORD_1 GL_MAP1_TEXTURE_COORD_2 GL_MAP1_TEXTURE_COORD_3
 GL_MAP1_TEXTURE_COORD_4 GL_MAP1_VERTEX_3 GL_MAP1_VERTEX_4 GL_MAP2_COLOR_4 GL_MAP2_INDEX GL_MAP2_NORMAL
@@ -166,4 +171,6 @@ def glIsEnabled(m: Machine, cap: int) -> int:
         return int(getattr(getattr(m, numbered[0]), numbered[1])[numbered[2]])
     if cap in LATER:
         return 0
+    if cap in ARRAYS:
+        return int(client(m, cap).enabled)
     raise invalid_enum("cap", cap, EXPECTED)

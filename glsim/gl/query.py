@@ -16,6 +16,7 @@ from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.machine import ATTRIB_STACK_DEPTH, MAX_LIST_NESTING, STACK_DEPTH, Machine
 from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS
+from glsim.machine.texture import MAX_TEXTURE_SIZE
 
 Getter = Callable[[Machine], Any]
 
@@ -24,6 +25,7 @@ COLOURS = {
     gl.GL_CURRENT_COLOR, gl.GL_CURRENT_NORMAL, gl.GL_LIGHT_MODEL_AMBIENT, gl.GL_COLOR_CLEAR_VALUE,
     gl.GL_DEPTH_CLEAR_VALUE, gl.GL_DEPTH_RANGE, gl.GL_CURRENT_SECONDARY_COLOR,
     gl.GL_AMBIENT, gl.GL_DIFFUSE, gl.GL_SPECULAR, gl.GL_EMISSION, gl.GL_FOG_COLOR, gl.GL_BLEND_COLOR,
+    gl.GL_TEXTURE_ENV_COLOR, gl.GL_TEXTURE_BORDER_COLOR,
     gl.GL_ALPHA_TEST_REF,
 }  # fmt: skip
 
@@ -108,6 +110,11 @@ GETTERS: dict[int, Getter] = {
     gl.GL_ALIASED_LINE_WIDTH_RANGE: lambda m: (1.0, LARGEST_LINE),
     gl.GL_LINE_STIPPLE_PATTERN: lambda m: m.line.stipple_pattern,
     gl.GL_LINE_STIPPLE_REPEAT: lambda m: m.line.stipple_factor,
+    gl.GL_TEXTURE_BINDING_1D: lambda m: m.texture.names[0],
+    gl.GL_TEXTURE_BINDING_2D: lambda m: m.texture.names[1],
+    gl.GL_MAX_TEXTURE_SIZE: lambda m: MAX_TEXTURE_SIZE,
+    gl.GL_ACTIVE_TEXTURE: lambda m: gl.GL_TEXTURE0,
+    gl.GL_CLIENT_ACTIVE_TEXTURE: lambda m: gl.GL_TEXTURE0,
     gl.GL_FOG_COLOR: lambda m: m.fog.color,
     gl.GL_FOG_MODE: lambda m: m.fog.mode,
     gl.GL_FOG_DENSITY: lambda m: m.fog.density,
@@ -169,6 +176,8 @@ def _lookup(m: Machine, pname: int) -> Any:
         return glIsEnabled(m, pname)
     if pname in ARRAYS:
         return client(m, pname).enabled
+    if pname in (*ALIGNMENTS, *UNPACKING, *IGNORED_IF_0):
+        return m.pixel_store.get(pname, 4 if pname in ALIGNMENTS else 0)
     if pname in HINTS:
         return m.hints.get(pname, gl.GL_DONT_CARE)
     if any(pname == value for name, value in vars(gl).items() if name.startswith("GL_")):
@@ -198,6 +207,9 @@ def into(array: Any, values: Any) -> Any:
     """``values``, or ``array`` filled with them if the program gave one."""
     if array is None:
         return values
+    if isinstance(array, list):
+        array[: np.size(values)] = np.ravel(values).tolist()
+        return array
     view = np.asarray(array)
     view.reshape(-1)[: np.size(values)] = np.ravel(values)
     return array
@@ -244,21 +256,28 @@ COMPONENTS = {
     gl.GL_RED: (0,), gl.GL_GREEN: (1,), gl.GL_BLUE: (2,), gl.GL_ALPHA: (3,),
     gl.GL_RGB: (0, 1, 2), gl.GL_RGBA: (0, 1, 2, 3), gl.GL_BGR: (2, 1, 0), gl.GL_BGRA: (2, 1, 0, 3),
 }  # fmt: skip
-PACK_DEFAULTS = {gl.GL_PACK_ALIGNMENT: 4, gl.GL_UNPACK_ALIGNMENT: 4}
+ALIGNMENTS = (gl.GL_PACK_ALIGNMENT, gl.GL_UNPACK_ALIGNMENT)
+UNPACKING = (gl.GL_UNPACK_ROW_LENGTH, gl.GL_UNPACK_SKIP_ROWS, gl.GL_UNPACK_SKIP_PIXELS, gl.GL_UNPACK_SWAP_BYTES)
+IGNORED_IF_0 = (
+    gl.GL_PACK_SWAP_BYTES, gl.GL_PACK_LSB_FIRST, gl.GL_PACK_ROW_LENGTH, gl.GL_PACK_SKIP_ROWS, gl.GL_PACK_SKIP_PIXELS,
+    gl.GL_PACK_IMAGE_HEIGHT, gl.GL_PACK_SKIP_IMAGES, gl.GL_UNPACK_LSB_FIRST, gl.GL_UNPACK_IMAGE_HEIGHT,
+    gl.GL_UNPACK_SKIP_IMAGES,
+)  # fmt: skip
 
 
 def glPixelStore(m: Machine, pname: int, param: float) -> None:
-    """GL_PACK_ALIGNMENT and GL_UNPACK_ALIGNMENT are accepted; rows come back tightly packed, as PyOpenGL asks for."""
-    if pname not in PACK_DEFAULTS:
-        known = [name for name in vars(gl) if name.startswith(("GL_PACK_", "GL_UNPACK_"))]
-        if any(getattr(gl, name) == pname for name in known):
-            if param != 0:
-                raise NotImplementedError("glPixelStore with anything but an alignment is not in glsim yet")
-            return
-        raise invalid_enum("pname", pname, "GL_PACK_ALIGNMENT or GL_UNPACK_ALIGNMENT")
-    if param not in (1, 2, 4, 8):
-        raise invalid_value("param", param, "1, 2, 4 or 8")
-    m.pixel_store[pname] = int(param)
+    """How pixels lie in the program's memory.  Read-back comes tightly packed, as PyOpenGL asks for."""
+    if pname in ALIGNMENTS:
+        if param not in (1, 2, 4, 8):
+            raise invalid_value("param", param, "1, 2, 4 or 8")
+    elif pname in IGNORED_IF_0:
+        if param != 0:
+            raise NotImplementedError(f"glPixelStore({pname!r}) with anything but 0 is not in glsim yet")
+    elif pname not in UNPACKING:
+        raise invalid_enum("pname", pname, "GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH or another way to store pixels")
+    elif param < 0:
+        raise invalid_value("param", param, "at least 0")
+    m.pixel_store = {**m.pixel_store, int(pname): int(param)}
 
 
 def glReadPixels(
@@ -278,6 +297,7 @@ def glReadPixels(
     dtype = DTYPES.get(type)
     if dtype is None:
         raise invalid_enum("type", type, "GL_UNSIGNED_BYTE, GL_FLOAT or another number type")
+    x, y, width, height = int(x), int(y), int(width), int(height)
     m.flush()
     if format == gl.GL_DEPTH_COMPONENT:
         pixels = m.device.read(x, y, width, height, "depth")[..., None]

@@ -23,10 +23,10 @@ def glEnd(m: Machine) -> None:
 
 
 def glRect(m: Machine, x1: float, y1: float, x2: float, y2: float) -> None:
+    rest = (0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha)
+    rows = [row(x, y, *rest) for x, y in ((x1, y1), (x2, y1), (x2, y2), (x1, y2))]
     m.begin(GL_POLYGON)
-    color = (m.red, m.green, m.blue, m.alpha)
-    for x, y in ((x1, y1), (x2, y1), (x2, y2), (x1, y2)):
-        m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, *color))
+    m.write(b"".join(rows))
     m.end()
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from ctypes import ArgumentError
+from struct import error as StructError  # noqa: N812
 from typing import Any
 
 from glsim.machine.commands import COMMANDS, NUMBERS
@@ -90,7 +92,11 @@ def explain(error: Exception, name: str, arguments: Sequence[Any]) -> Exception:
         expected = _complaint(kind, value)
         if expected:
             return TypeError(f"{name}: {argument} must be {expected}, not {show(value)}")
-    return type(error)(f"{name}: {error}") if type(error) in (TypeError, ValueError, OverflowError) else error
+    if type(error) in (TypeError, ValueError, OverflowError):
+        return type(error)(f"{name}: {error}")
+    if isinstance(error, (StructError, ArgumentError)):
+        return TypeError(f"{name}: an argument, the current color or the current normal is not a number ({error})")
+    return error
 
 
 def _complaint(kind: str, value: object) -> str:

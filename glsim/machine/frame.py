@@ -29,6 +29,9 @@ COLUMNS = {
 TEXTURE_UNITS = 4
 
 
+Matrices = tuple[Matrix, Matrix, Matrix]
+
+
 class Vertices:
     """The vertices between two flushes, or of a display list.
 
@@ -67,7 +70,8 @@ class Draw:
     """One glBegin/glEnd, glRect, glDrawArrays or glDrawElements.
 
     Vertices ``first`` to ``first + count`` of ``vertices``, taken in the order of ``indices`` (relative to ``first``)
-    if there are any, make primitives of ``mode``.  ``matrices`` are the modelview and the projection.
+    if there are any, make primitives of ``mode``.  ``matrices`` are the modelview, the projection and the
+    texture matrix.
     """
 
     __slots__ = ("color", "count", "first", "indices", "material", "matrices", "mode", "state", "vertices")
@@ -78,7 +82,7 @@ class Draw:
         first: int,
         count: int,
         indices: NDArray[np.uint32] | None,
-        matrices: tuple[Matrix, Matrix],
+        matrices: Matrices,
         material: Material,
         state: Snapshot,
         vertices: Vertices | None = None,

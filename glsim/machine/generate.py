@@ -60,14 +60,13 @@ on_switch(_switch)
 
 def _misuse(name: str, arguments: tuple[Any, ...], error: Exception) -> Exception:
     """The sentence for a number that is none: an argument, or the current normal or colour."""
-    found = explain(error, name, arguments)
-    if isinstance(error, struct_error) and found is error:
+    if isinstance(error, struct_error):
         for what, value in (("normal", (m.nx, m.ny, m.nz)), ("color", (m.red, m.green, m.blue, m.alpha))):
             try:
                 Struct(f"{len(value)}f").pack(*value)
             except BAD:
                 return TypeError(f"{name}: the current {what} (gl{what.title()}) is not made of numbers: {value!r}")
-    return found
+    return explain(error, name, arguments)
 '''
 
 

@@ -31,6 +31,7 @@ from glsim.machine.state import (
     Scissor,
     Snapshot,
     Stencil,
+    TextureUnit,
     Transform,
     Viewport,
     take_groups,
@@ -92,10 +93,11 @@ class Machine:
         "alpha", "attrib_stack", "begin_material", "blue", "busy", "capturing", "client", "client_attrib_stack",
         "columns", "compiling", "device", "first", "green", "hints", "index", "inside", "list_base", "lists",
         "materials", "modelview", "nesting", "nx", "ny", "nz", "packets", "pixel_store", "projection", "recorder",
-        "red", "stack", "stacks", "stream", "texcoord", "texture_stack", "tracks", "write",
+        "red", "stack", "stacks", "stream", "texcoord", "texture_names", "texture_stack", "textures", "tracks", "write",
+        "__weakref__",
         # groups of state
         "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",
-        "polygon_stipple", "scissor", "stencil", "transform", "viewport",
+        "polygon_stipple", "scissor", "stencil", "texture", "transform", "viewport",
     )  # fmt: skip
 
     def __init__(self, device: Device) -> None:
@@ -119,6 +121,9 @@ class Machine:
         self.line = Line()
         self.polygon = Polygon()
         self.polygon_stipple = PolygonStipple()
+        self.texture = TextureUnit()
+        self.textures = {(0, texture.dimensions): texture for texture in self.texture.bound}
+        self.texture_names: set[int] = set()  # by glGenTextures
         self.fog = Fog()
         self.depth = Depth()
         self.stencil = Stencil()
@@ -192,8 +197,8 @@ class Machine:
         self.write = _ignore
         first, end = self.first, self.stream.tell()
         count = end // ROW_BYTES - first
-        transform = (self.modelview[-1], self.projection[-1])
-        self.packets.append(Draw(mode, first, count, None, transform, self.begin_material, self.snapshot()))
+        matrices = (self.modelview[-1], self.projection[-1], self.texture_stack[-1])
+        self.packets.append(Draw(mode, first, count, None, matrices, self.begin_material, self.snapshot()))
         if end > LARGE:
             self.flush()
 
@@ -208,8 +213,8 @@ class Machine:
         first = self.stream.tell() // ROW_BYTES
         self.stream.write(np.ascontiguousarray(rows, np.float32).data)
         self.columns += [(name, first, values) for name, values in columns.items()]
-        transform = (self.modelview[-1], self.projection[-1])
-        self.packets.append(Draw(mode, first, len(rows), indices, transform, self.material, self.snapshot()))
+        matrices = (self.modelview[-1], self.projection[-1], self.texture_stack[-1])
+        self.packets.append(Draw(mode, first, len(rows), indices, matrices, self.material, self.snapshot()))
         if self.stream.tell() > LARGE:
             self.flush()
 
@@ -230,6 +235,12 @@ class Machine:
         if self.capturing is not None:
             self.capturing.packets += packets
         self.device.execute(packets)
+
+    def complete(self) -> None:
+        """Flush, for somebody who wants the picture.  Raises GLError between glBegin and glEnd."""
+        if self.inside is not None:
+            raise invalid_operation(f"glBegin({self.inside!r}) has no glEnd yet")
+        self.flush()
 
     def take_vertices(self) -> Vertices:
         """What the stream holds, as arrays; the stream begins anew."""

@@ -28,11 +28,13 @@ from glsim.machine.constants import (
     GL_KEEP,
     GL_LESS,
     GL_MODELVIEW,
+    GL_MODULATE,
     GL_ONE,
     GL_SINGLE_COLOR,
     GL_SMOOTH,
     GL_ZERO,
 )
+from glsim.machine.texture import Texture
 
 Color = tuple[float, float, float, float]
 BLACK: Color = (0.0, 0.0, 0.0, 1.0)
@@ -155,6 +157,23 @@ class PolygonStipple(NamedTuple):
     rows: tuple[int, ...] = (0xFFFFFFFF,) * 32
 
 
+class TextureUnit(NamedTuple):
+    """Group GL_TEXTURE_BIT: names and textures that are bound, of one and of two dimensions, and the environment."""
+
+    enabled_1d: bool = False
+    enabled_2d: bool = False
+    names: tuple[int, ...] = (0, 0)
+    bound: tuple[Texture, ...] = (Texture(1), Texture(2))
+    environment: int = GL_MODULATE
+    environment_color: Color = (0.0, 0.0, 0.0, 0.0)
+
+    @property
+    def active(self) -> Texture | None:
+        """The texture that is applied: two dimensions go before one; None if it is off or not complete."""
+        texture = self.bound[1] if self.enabled_2d else self.bound[0] if self.enabled_1d else None
+        return texture if texture is not None and texture.complete else None
+
+
 class Fog(NamedTuple):
     """Group GL_FOG_BIT."""
 
@@ -240,6 +259,7 @@ class Snapshot(NamedTuple):
     line: Line
     polygon: Polygon
     polygon_stipple: PolygonStipple
+    texture: TextureUnit
     fog: Fog
     depth: Depth
     stencil: Stencil

@@ -7,17 +7,18 @@ same display list become instances of one.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
+from operator import itemgetter
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.assembly import SEPARATE, assemble, complete, corners
 from glsim.machine.constants import GL_FLAT, GL_LINES, GL_POINTS, GL_TRIANGLES
-from glsim.machine.frame import Draw, Vertices
-from glsim.machine.matrix import Matrix
+from glsim.machine.frame import Draw, Matrices, Vertices
 from glsim.machine.state import Color, Material, Snapshot
 
 Uint32 = NDArray[np.uint32]
@@ -34,12 +35,13 @@ class Object:
 
     __slots__ = ("color", "material", "matrices")
 
-    def __init__(self, matrices: tuple[Matrix, Matrix], material: Material, color: Color | None) -> None:
+    def __init__(self, matrices: Matrices, material: Material, color: Color | None) -> None:
         self.matrices, self.material, self.color = matrices, material, color
 
     def same(self, other: Object) -> bool:
         a, b = self.matrices, other.matrices
-        return a[0] is b[0] and a[1] is b[1] and self.material is other.material and self.color is other.color
+        same = a[0] is b[0] and a[1] is b[1] and a[2] is b[2]
+        return same and self.material is other.material and self.color is other.color
 
 
 @dataclass
@@ -186,8 +188,8 @@ def _material_changes(draw: Draw) -> list[tuple[int, Material]]:
     changes = draw.block.materials
     if not changes or draw.indices is not None:
         return []
-    inside = {vertex: material for vertex, material in changes if draw.first <= vertex < draw.first + draw.count}
-    return sorted(inside.items())
+    begin, end = (bisect_left(changes, vertex, key=itemgetter(0)) for vertex in (draw.first, draw.first + draw.count))
+    return list(dict(changes[begin:end]).items())
 
 
 def _rows(spans: list[tuple[int, int, int]], count: int) -> Uint32:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import os
+import threading
+import weakref
 from typing import TYPE_CHECKING, Any
 
 import moderngl
@@ -14,6 +17,7 @@ from glsim.files import write_atomically
 from glsim.machine.constants import (
     GL_DEPTH_COMPONENT,
     GL_FLOAT,
+    GL_NEAREST,
     GL_PACK_ALIGNMENT,
     GL_RGBA,
     GL_SCISSOR_TEST,
@@ -25,6 +29,7 @@ from glsim.machine.frame import Packet
 from glsim.machine.machine import Machine
 from glsim.render.device import open_loader
 from glsim.render.draw import Renderer
+from glsim.render.egl import EGLLoader
 from glsim.render.raw import RawGL
 
 if TYPE_CHECKING:
@@ -32,7 +37,7 @@ if TYPE_CHECKING:
 
 LARGEST = 16384
 GL_FRAMEBUFFER, GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT = 0x8D40, 0x8D41, 0x88F0, 0x821A
-GL_ALL_BUFFERS = 0x4500
+GL_ALL_BUFFERS, GL_READ_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER = 0x4500, 0x8CA8, 0x8CA9
 # what `read` can read: format, type
 READABLE: dict[str, tuple[int, int]] = {
     "color": (GL_RGBA, GL_UNSIGNED_BYTE),
@@ -50,6 +55,7 @@ class Offscreen:
     """
 
     def __init__(self, width: int, height: int, samples: int = 0, backend: str = "auto") -> None:
+        self._released = False
         for name, value in (("width", width), ("height", height)):
             if not isinstance(value, (int, np.integer)) or not 1 <= value <= LARGEST:
                 raise ValueError(f"glsim.offscreen: {name} must be an integer from 1 to {LARGEST}, not {value!r}")
@@ -62,13 +68,18 @@ class Offscreen:
         self._resolved = self._framebuffer(0) if self.samples else self._target
         self._renderer = Renderer(self.ctx, self._raw)
         self._previous: list[Any] = []
+        self._thread = threading.get_ident()
         self.machine = Machine(self)
+        before = current_machine()
+        self._before = weakref.ref(before) if isinstance(before, Machine) else None
         self.make_current()
 
     def _samples(self, wanted: int) -> int:
         most = self.ctx.max_samples
-        if not 0 <= wanted <= most:
-            raise ValueError(f"glsim.offscreen: samples must be from 0 to {most} on this device, not {wanted!r}")
+        allowed = [0, *(n for n in (2, 4, 8, 16, 32) if n <= most)]
+        if wanted not in allowed:
+            choices = ", ".join(map(str, allowed))
+            raise ValueError(f"glsim.offscreen: samples must be one of {choices} on this device, not {wanted!r}")
         return int(wanted)
 
     def _framebuffer(self, samples: int) -> moderngl.Framebuffer:
@@ -105,7 +116,10 @@ class Offscreen:
         return self
 
     def __enter__(self) -> Offscreen:
-        self._previous.append(current_machine())
+        current: Any = current_machine()
+        if current is self.machine and not self._previous and self._before is not None:
+            current = self._before()  # the one that was current before this was made
+        self._previous.append(current)
         return self.make_current()
 
     def __exit__(self, *exception: Any) -> None:
@@ -113,15 +127,32 @@ class Offscreen:
         make_current(previous if isinstance(previous, Machine) and previous is not self.machine else None)
 
     def release(self) -> None:
-        """Give the context's memory back now; it cannot be used afterwards."""
+        """Give the context's memory back now; it cannot be used afterwards.  It goes by itself when nobody holds it."""
+        if self._released:
+            return
+        self._released = True
         if current_machine() is self.machine:
             make_current(None)
-        self.ctx.__enter__()  # type: ignore[no-untyped-call]
+        self._loader.__enter__()
         self.ctx.release()  # releases the loader too
+        if isinstance(self._loader, EGLLoader):
+            self._loader.__exit__()
+
+    def __del__(self) -> None:
+        if hasattr(self, "machine") and threading.get_ident() == self._thread:
+            with contextlib.suppress(Exception):  # the interpreter may be on its way out
+                self.release()
+
+    def _check(self) -> None:
+        if self._released:
+            raise RuntimeError("this context was released: make another one with glsim.offscreen")
+        if threading.get_ident() != self._thread:
+            raise RuntimeError("a context can only be drawn with in the thread that made it")
 
     # ------------------------------------------------------------ what the machine asks of its device
 
     def execute(self, packets: list[Packet]) -> None:
+        self._check()
         with self.ctx:
             self._target.use()
             self._renderer.execute(packets)
@@ -136,17 +167,26 @@ class Offscreen:
 
         what: "color" (height, width, 4) uint8, "depth" (height, width) float32 or "stencil" (height, width) uint8.
         """
+        self._check()
         format, kind = READABLE[what]
         dtype = np.float32 if kind == GL_FLOAT else np.uint8
         pixels = np.zeros((height, width, 4) if what == "color" else (height, width), dtype)
         with self.ctx:
-            if self.samples and what == "color":
-                self.ctx.copy_framebuffer(self._resolved, self._target)
+            self._resolve()
             self._resolved.use()
             self._raw.glPixelStorei(GL_PACK_ALIGNMENT, 1)
             self._raw.glReadPixels(x, y, width, height, format, kind, pixels.ctypes.data)
         self._renderer.busy = False
         return pixels
+
+    def _resolve(self) -> None:
+        """From several samples a pixel to one."""
+        if self.samples:
+            raw, corners = self._raw, (0, 0, self.width, self.height)
+            raw.glDisable(GL_SCISSOR_TEST)
+            raw.glBindFramebuffer(GL_READ_FRAMEBUFFER, self._target.glo)
+            raw.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, self._resolved.glo)
+            raw.glBlitFramebuffer(*corners, *corners, GL_ALL_BUFFERS, GL_NEAREST)
 
     def describe(self) -> dict[str, Any]:
         """Vendor, renderer and version of the driver beneath, the backend, the number of samples."""
@@ -163,12 +203,12 @@ class Offscreen:
 
     def pixels(self) -> NDArray[np.uint8]:
         """The picture, top row first: (height, width, 4) uint8, RGBA."""
-        self.machine.flush()
+        self.machine.complete()
         return self.read(0, 0, self.width, self.height, "color")[::-1]
 
     def depth(self) -> NDArray[np.float32]:
         """The depth buffer, top row first: (height, width) float32 in [0, 1]."""
-        self.machine.flush()
+        self.machine.complete()
         return self.read(0, 0, self.width, self.height, "depth")[::-1]
 
     def image(self) -> PIL.Image.Image:

@@ -34,18 +34,20 @@ from glsim.render.batch import Batch, Object, Plan, plans
 from glsim.render.outline import line_width, prepare
 from glsim.render.programs import BINDINGS, ProgramKey, build, program_key
 from glsim.render.raw import RawGL
+from glsim.render.textures import Textures
 
 LAST_VERTEX_CONVENTION = 0x8E4E
 PRIMITIVES = {1: moderngl.POINTS, 2: moderngl.LINES, 3: moderngl.TRIANGLES}
 ROW_SIZE = 256  # of a Transform and of a Material in shaders/state.glsl
 LIGHTS_SIZE = 1024
-RASTER_SIZE = 320
+RASTER_SIZE = 336
 PROGRAM_POINT_SIZE = 0x8642
 CORE_BITS = 0x4000 | 0x100 | 0x400  # colour, depth and stencil; there is no accumulation buffer in the core profile
 
 
 # Inputs of main.vert beside position, normal and color: how they lie in a buffer, and where they come from.
 INPUTS = {
+    "texcoord0": ("4f", "texcoord0"),
     "position_w": ("1f", "w"),
     "secondary_color": ("4f", "secondary_color"),
     "fog_coord": ("1f", "fog_coord"),
@@ -106,11 +108,13 @@ class Renderer:
 
     def __init__(self, ctx: moderngl.Context, raw: RawGL) -> None:
         self.ctx, self.raw = ctx, raw
+        ctx.gc_mode = "context_gc"  # buffers of lists that are gone are released when the context is current
         self.limit = min(ctx.info["GL_MAX_UNIFORM_BLOCK_SIZE"], 65536) // ROW_SIZE
         self.programs: dict[ProgramKey, moderngl.Program] = {}
         self.stream = Source(ctx)
         self.static: weakref.WeakKeyDictionary[Vertices, Source] = weakref.WeakKeyDictionary()
         self.uniforms = {name: ctx.buffer(reserve=1024, dynamic=True) for name in BINDINGS}
+        self.textures = Textures(raw)
         self.numbers = np.arange(self.limit, dtype=np.uint32)
         self.uploaded_lights: Lighting | None = None
         self.uploaded_raster: tuple[Any, ...] = ()
@@ -121,6 +125,7 @@ class Renderer:
 
     def execute(self, packets: Iterable[Packet]) -> None:
         """Draw; the context must be current and the framebuffer bound."""
+        self.ctx.gc()
         self.fixed = None  # somebody else may have changed the driver's state since
         for _, group in groupby(packets, key=type):
             run = list(group)
@@ -164,6 +169,9 @@ class Renderer:
         self._apply(state, 2 if wide else batch.corners)
         self._upload_lights(state.lighting)
         self._upload_raster(state)
+        texture = state.texture.active
+        if texture is not None:
+            self.textures.bind(texture)
         for name in ("Transforms", "Materials"):
             size = ROW_SIZE * key.objects
             self.uniforms[name].bind_to_uniform_block(BINDINGS[name], offset=ROW_SIZE * batch.base, size=size)
@@ -219,7 +227,7 @@ class Renderer:
     def _upload_raster(self, state: Snapshot) -> None:
         groups = (
             state.fog, state.transform, state.point, state.viewport, state.line, state.polygon_stipple,
-            state.color_buffer.alpha_reference,
+            state.color_buffer.alpha_reference, state.texture.environment_color,
         )  # fmt: skip
         if groups != self.uploaded_raster:
             self._write("Raster", raster(state))
@@ -300,6 +308,7 @@ def transforms(objects: Sequence[Object]) -> NDArray[np.float32]:
     with np.errstate(all="ignore"):
         rows[:, 0:16] = multiply(projection, modelview).reshape(-1, 16)
     rows[:, 16:32] = modelview.reshape(-1, 16)
+    rows[:, 44:60] = np.array([thing.matrices[2].value for thing in objects]).reshape(-1, 16)
     rows[:, 32:44].reshape(-1, 3, 4)[:, :, :3] = inverse_transpose(modelview)
     return rows
 
@@ -327,7 +336,7 @@ def _faces(material: Material) -> list[float]:
 
 
 def raster(state: Snapshot) -> NDArray[np.float32]:
-    """The block Raster of shaders/raster.glsl: (80,) float32."""
+    """The block Raster of shaders/raster.glsl: (84,) float32."""
     fog, point, line, viewport = state.fog, state.point, state.line, state.viewport
     block = np.zeros(RASTER_SIZE // 4, np.float32)
     block[0:4] = fog.color
@@ -337,6 +346,7 @@ def raster(state: Snapshot) -> NDArray[np.float32]:
     block[36:39] = point.distance_attenuation
     block[40:44] = viewport.x, viewport.y, max(viewport.width, 1), max(viewport.height, 1)
     block[44:47] = line_width(state), line.stipple_factor, line.stipple_pattern
+    block[80:84] = state.texture.environment_color
     block[48:80] = np.array(state.polygon_stipple.rows, np.uint32).view(np.float32)
     return block
 

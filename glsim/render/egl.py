@@ -11,6 +11,8 @@ import ctypes
 import os
 from typing import Any
 
+from glsim.render import osmesa
+
 EGL_OPENGL_API, EGL_NONE, EGL_WIDTH, EGL_HEIGHT, EGL_DRAW, EGL_READ, EGL_EXTENSIONS = (
     0x30A2, 0x3038, 0x3057, 0x3056, 0x3059, 0x305A, 0x3055,
 )  # fmt: skip
@@ -143,6 +145,8 @@ class EGLLoader:
 
     def __enter__(self) -> EGLLoader:
         egl = self.egl
+        if osmesa.in_use:
+            self.release_current()
         current = egl.eglGetCurrentContext()
         if current == self.context.value:
             self.previous.append(())

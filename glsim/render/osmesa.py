@@ -26,6 +26,9 @@ def _library() -> ctypes.CDLL:
     raise RuntimeError("libOSMesa.so.8 is not installed")
 
 
+in_use = False  # whether an OSMesa context was ever made: EGL does not notice when one becomes current
+
+
 class OSMesaLoader:
     """A current OSMesa context that draws into a buffer of width x height pixels.
 
@@ -53,6 +56,8 @@ class OSMesaLoader:
         self.library.OSMesaGetProcAddress.argtypes = [ctypes.c_char_p]
         make = self.library.OSMesaMakeCurrent
         make.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint, ctypes.c_int, ctypes.c_int]
+        global in_use
+        in_use = True
         self.make_current()
 
     def make_current(self) -> None:

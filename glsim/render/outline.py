@@ -76,7 +76,7 @@ def positions(block: Vertices, chosen: NDArray[np.uint32]) -> Float:
 def clip_positions(draw: Draw, chosen: NDArray[np.uint32]) -> NDArray[np.float64]:
     """Positions (n, 4) in clip space."""
     evaluate(draw.matrices)
-    modelview, projection = (matrix.get()[None] for matrix in draw.matrices)
+    modelview, projection = (matrix.get()[None] for matrix in draw.matrices[:2])
     product: NDArray[np.float64] = multiply(projection, modelview)[0].astype(np.float64)
     return np.asarray(positions(draw.block, chosen).astype(np.float64) @ product)
 

@@ -12,10 +12,15 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from glsim.files import data_folder
 from glsim.machine.constants import (
+    GL_ADD,
+    GL_ALPHA,
     GL_ALWAYS,
     GL_AMBIENT,
     GL_AMBIENT_AND_DIFFUSE,
     GL_BACK,
+    GL_BLEND,
+    GL_CLAMP,
+    GL_DECAL,
     GL_DIFFUSE,
     GL_EMISSION,
     GL_EQUAL,
@@ -27,17 +32,23 @@ from glsim.machine.constants import (
     GL_FRONT,
     GL_GEQUAL,
     GL_GREATER,
+    GL_INTENSITY,
     GL_LEQUAL,
     GL_LESS,
     GL_LINEAR,
+    GL_LUMINANCE,
+    GL_MODULATE,
     GL_NEVER,
     GL_NOTEQUAL,
     GL_PHONG_LOBE_GLSIM,
     GL_PHONG_WIN,
+    GL_REPLACE,
+    GL_RGB,
     GL_SEPARATE_SPECULAR_COLOR,
     GL_SPECULAR,
 )
 from glsim.machine.state import MAX_CLIP_PLANES, Light, Lighting, Snapshot
+from glsim.machine.texture import Texture
 
 if TYPE_CHECKING:
     import moderngl
@@ -85,6 +96,14 @@ class ProgramKey(NamedTuple):
     polygon_stipple: bool = False
     line_stipple: bool = False
     point_smooth: bool = False
+    texture: bool = False
+    texture_is_1d: bool = False
+    texture_has_color: bool = False
+    texture_has_alpha: bool = False
+    texture_is_intensity: bool = False
+    texenv: int = 0
+    clamp_s: bool = False
+    clamp_t: bool = False
     # what is drawn decides these, not the state
     points: bool = False  # the primitives are points
     areas: bool = True  # the primitives are polygons
@@ -113,7 +132,24 @@ def program_key(state: Snapshot, corners: int = 3) -> ProgramKey:
         points=corners == 1,
         areas=corners == 3,
     )
+    if state.texture.active is not None:
+        common = _textured(common, state.texture.active, state.texture.environment)
     return _lit(common, state) if state.lighting.enabled else common
+
+
+def _textured(key: ProgramKey, texture: Texture, environment: int) -> ProgramKey:
+    """The key with what the texture unit adds."""
+    base = texture.base_format
+    return key._replace(
+        texture=True,
+        texture_is_1d=texture.dimensions == 1,
+        texture_has_color=base != GL_ALPHA,
+        texture_has_alpha=base not in (GL_LUMINANCE, GL_RGB),
+        texture_is_intensity=base == GL_INTENSITY,
+        texenv=environment,
+        clamp_s=texture.sampler.wrap_s == GL_CLAMP,
+        clamp_t=texture.sampler.wrap_t == GL_CLAMP,
+    )
 
 
 def _lit(key: ProgramKey, state: Snapshot) -> ProgramKey:
@@ -151,8 +187,10 @@ def light_kinds(lighting: Lighting) -> tuple[LightKind, ...]:
 
 ENUMS = {
     "FOG_OFF": 0, "FOG_LINEAR": int(GL_LINEAR), "FOG_EXP": int(GL_EXP), "FOG_EXP2": int(GL_EXP2),
-    "GL_NEVER": int(GL_NEVER), "GL_LESS": int(GL_LESS), "GL_EQUAL": int(GL_EQUAL), "GL_LEQUAL": int(GL_LEQUAL),
-    "GL_GREATER": int(GL_GREATER), "GL_NOTEQUAL": int(GL_NOTEQUAL), "GL_GEQUAL": int(GL_GEQUAL),
+    "GL_MODULATE": int(GL_MODULATE), "GL_DECAL": int(GL_DECAL), "GL_BLEND": int(GL_BLEND),
+    "GL_REPLACE": int(GL_REPLACE), "GL_ADD": int(GL_ADD), "GL_NEVER": int(GL_NEVER), "GL_LESS": int(GL_LESS),
+    "GL_EQUAL": int(GL_EQUAL), "GL_LEQUAL": int(GL_LEQUAL), "GL_GREATER": int(GL_GREATER),
+    "GL_NOTEQUAL": int(GL_NOTEQUAL), "GL_GEQUAL": int(GL_GEQUAL),
 }  # fmt: skip
 
 
@@ -167,9 +205,12 @@ def constants(key: ProgramKey) -> str:
     lines.append(f"const bool MANY_OBJECTS = {_glsl(key.objects > 1)};")
     lines += [f"const int {name} = {value};" for name, value in ENUMS.items()]
     lines.append(f"const int FOG = {int(key.fog)};")
+    lines.append(f"const int TEXENV = {int(key.texenv)};")
     lines.append(f"const int ALPHA_FUNC = {int(key.alpha_func)};")
     lines.append(f"const bool[6] CLIP_PLANE = bool[6]({', '.join(map(_glsl, key.clip_plane))});")
     for name in (
+        "texture", "texture_is_1d", "texture_has_color", "texture_has_alpha", "texture_is_intensity", "clamp_s",
+        "clamp_t",
         "points", "areas", "wide_lines", "has_w", "object_color", "color_sum", "fog_coordinate", "polygon_stipple",
         "line_stipple", "point_smooth", "lighting", "per_fragment", "lobe_is_phong", "flip_normal", "local_viewer",
         "two_side",

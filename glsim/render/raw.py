@@ -25,7 +25,9 @@ SIGNATURES = {
     "glStencilFunc": "uiu", "glStencilOp": "uuu", "glStencilMask": "u", "glBlendFuncSeparate": "uuuu",
     "glBlendEquation": "u", "glBlendColor": "ffff", "glLogicOp": "u", "glSampleCoverage": "fb",
     "glGenRenderbuffers": "ip", "glBindRenderbuffer": "uu", "glRenderbufferStorageMultisample": "uiuii",
-    "glFramebufferRenderbuffer": "uuuu",
+    "glFramebufferRenderbuffer": "uuuu", "glBindFramebuffer": "uu", "glBlitFramebuffer": "iiiiiiiiuu",
+    "glGenTextures": "ip", "glDeleteTextures": "ip", "glBindTexture": "uu", "glActiveTexture": "u",
+    "glTexImage2D": "uiiiiiuup", "glTexParameteri": "uui", "glTexParameterfv": "uup",
 }  # fmt: skip
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from glsim.machine.state import Face
+from glsim.machine.state import MAX_LIGHTS, Face
 from glsim.scenes.load import MeshError, fit, load
 from glsim.scenes.materials import MATERIALS, material
 from glsim.scenes.mesh import Mesh
@@ -55,6 +55,8 @@ class Scene:
         """Draw with the gl commands into a picture of this size; the shade model is left as it is."""
         from glsim import gl
 
+        if len(self.lights) > MAX_LIGHTS:
+            raise ValueError(f"a scene has at most {MAX_LIGHTS} lights, not {len(self.lights)}")
         gl.glClearColor(*self.background, 1.0)
         gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
         gl.glEnable(gl.GL_DEPTH_TEST)

@@ -40,13 +40,34 @@ def load(path: str | Path) -> list[Mesh]:
         ) from error
     if not geometries:
         raise MeshError(f"{path} has no triangles to draw")
-    meshes = [convert(geometry, str(path)) for geometry in geometries]
-    return fit(meshes)
+    return from_trimesh(geometries, str(path))
 
 
-def convert(geometry: Any, name: str) -> Mesh:
+def from_trimesh(geometries: list[Any], name: str) -> list[Mesh]:
+    """Trimeshes, centred and scaled together in float64 into a sphere of radius 1."""
+    used = []
+    for geometry in geometries:
+        faces = np.asarray(geometry.faces)
+        if not len(faces):
+            raise MeshError(f"{name} has no triangles to draw")
+        if faces.min() < 0 or faces.max() >= len(geometry.vertices):
+            raise MeshError(
+                f"{name}: a triangle uses vertex {faces.max()}, but there are {len(geometry.vertices)} vertices"
+            )
+        used.append(np.asarray(geometry.vertices, np.float64)[np.unique(faces)])
+    points = np.concatenate(used)
+    with np.errstate(all="ignore"):
+        centre = (points.min(axis=0) + points.max(axis=0)) / 2
+        radius = float(np.linalg.norm(points - centre, axis=1).max())
+    if radius == 0.0:
+        raise MeshError(f"{name}: all its triangles are degenerate (they are one point)")
+    return [convert(geometry, name, centre, radius) for geometry in geometries]
+
+
+def convert(geometry: Any, name: str, centre: Any, radius: float) -> Mesh:
     """A trimesh.Trimesh as a Mesh.  Raises MeshError if it has no usable triangle."""
-    positions = np.asarray(geometry.vertices, np.float64)
+    with np.errstate(all="ignore"):
+        positions = (np.asarray(geometry.vertices, np.float64) - centre) / radius
     triangles = np.asarray(geometry.faces, np.uint32)
     area = np.concatenate(
         [np.linalg.norm(area_vectors(positions, triangles[block]), axis=1) for block in blocks(triangles)]

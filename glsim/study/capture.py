@@ -28,10 +28,12 @@ def capture(calls: bool = False) -> Iterator[Frame]:
         machine.record(Recorder(machine, frame.calls))
     try:
         yield frame
+        machine.complete()
     finally:
         machine.record(recorder)
-        machine.flush()
         machine.capturing = before
+        if before is not None:
+            before.packets += frame.packets
 
 
 def program_source(stage: str | None = None) -> str:

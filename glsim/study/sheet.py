@@ -37,6 +37,10 @@ def draw_sheet(comparison: Comparison) -> Image.Image:
         _upright(sheet, LOBES[lobe], font, INK, (gap // 2, y), height)
         for column, mode in enumerate(comparison.modes):
             x = left + column * (width + gap)
+            if (lobe, mode) not in comparison.images:
+                words = "fixed function has (N·H)^n only"
+                pen.text((x + width // 2, y + height // 2), words, FAINT, small, anchor="mm")
+                continue
             sheet.paste(Image.fromarray(comparison.images[lobe, mode]), (x, y))
             if differences:
                 d = comparison.difference(lobe, mode)
