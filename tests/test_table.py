@@ -19,6 +19,7 @@ def test_every_entry_point_of_opengl_1_5_is_there() -> None:
 def test_generated_files_are_what_the_generator_writes() -> None:
     assert (generate.GL / "immediate.py").read_text() == generate.immediate()
     assert (generate.GL / "__init__.pyi").read_text() == generate.stubs()
+    assert (generate.GL / "SUPPORT.md").read_text() == generate.support()
 
 
 @pytest.mark.parametrize(

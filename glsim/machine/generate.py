@@ -1,4 +1,4 @@
-"""Write glsim/gl/immediate.py and glsim/gl/__init__.pyi from the command table: ``python -m glsim.machine.generate``.
+"""Write glsim/gl/immediate.py, __init__.pyi and SUPPORT.md from the command table: ``python -m glsim.machine.generate``.
 
 glVertex, glNormal, glColor and glTexCoord are called once a vertex, so their code is written out: each variant
 does nothing but store.  A test checks that the files are what this program writes.
@@ -162,11 +162,40 @@ def stub(name: str, signature: inspect.Signature) -> str:
     return f"def {name}({', '.join(words)}) -> {returns}: ..."
 
 
+WITHOUT_EFFECT = {"glHint", "glPrioritizeTextures", "glAreTexturesResident", "glIndex"}
+
+
+def support() -> str:
+    """glsim/gl/SUPPORT.md: every command of OpenGL 1.5 and whether it is there."""
+    gl: Any = import_module("glsim.gl")
+    lines = [
+        "# Commands of OpenGL 1.5",
+        "",
+        "Written by `python -m glsim.machine.generate` from the command table; do not edit.",
+        "A command that is not there yet raises NotImplementedError. Colour-index mode is refused.",
+        "",
+        "| command | variants | state |",
+        "| --- | --- | --- |",
+    ]
+    counts = {"supported": 0, "accepted without effect": 0, "not there yet": 0}
+    for family, commands in FAMILIES.items():
+        missing = commands[0].name in gl.UNSUPPORTED
+        state = "not there yet" if missing else "supported"
+        if family in WITHOUT_EFFECT:
+            state = "accepted without effect"
+        counts[state] += len(commands)
+        suffixes = " ".join(command.name.removeprefix(family) for command in commands)
+        lines.append(f"| {family} | {suffixes} | {state} |")
+    total = ", ".join(f"{count} {state}" for state, count in counts.items())
+    return "\n".join([*lines, "", f"Of {sum(counts.values())} entry points: {total}."]) + "\n"
+
+
 def main() -> None:
     from glsim.files import write_text
 
     write_text(GL / "immediate.py", immediate())
     write_text(GL / "__init__.pyi", stubs())
+    write_text(GL / "SUPPORT.md", support())
 
 
 if __name__ == "__main__":
