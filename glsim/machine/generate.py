@@ -1,4 +1,4 @@
-"""Write glsim/gl/immediate.py, __init__.pyi and SUPPORT.md from the command table: ``python -m glsim.machine.generate``.
+"""Write what follows from the command table, into glsim/gl: ``python -m glsim.machine.generate``.
 
 glVertex, glNormal, glColor and glTexCoord are called once a vertex, so their code is written out: each variant
 does nothing but store.  A test checks that the files are what this program writes.
