@@ -7,28 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.constants import (
-    GL_BYTE,
-    GL_DOUBLE,
-    GL_FLOAT,
-    GL_INT,
-    GL_SHORT,
-    GL_UNSIGNED_BYTE,
-    GL_UNSIGNED_INT,
-    GL_UNSIGNED_SHORT,
-)
-
-DTYPES: dict[int, type] = {
-    GL_BYTE: np.int8,
-    GL_UNSIGNED_BYTE: np.uint8,
-    GL_SHORT: np.int16,
-    GL_UNSIGNED_SHORT: np.uint16,
-    GL_INT: np.int32,
-    GL_UNSIGNED_INT: np.uint32,
-    GL_FLOAT: np.float32,
-    GL_DOUBLE: np.float64,
-}
-
 
 def numbers(values: Any) -> tuple[float, ...]:
     """A number, a (nested) sequence or an array -> a flat tuple of floats."""

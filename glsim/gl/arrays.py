@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.gl.arguments import DTYPES, array_from
+from glsim.gl.arguments import array_from
 from glsim.machine import constants
 from glsim.machine.assembly import MINIMUM
 from glsim.machine.constants import (
@@ -36,6 +36,7 @@ from glsim.machine.constants import (
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
 from glsim.machine.frame import ROW, ROW_BYTES
 from glsim.machine.machine import Machine
+from glsim.machine.types import DTYPES
 
 ARRAYS: dict[int, Enum] = {
     int(array): array

@@ -18,19 +18,10 @@ import numpy as np
 from glsim.gl.arguments import numbers, signed_colour
 from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
-from glsim.machine.constants import (
-    GL_AMBIENT_AND_DIFFUSE,
-    GL_BYTE,
-    GL_DOUBLE,
-    GL_FLOAT,
-    GL_INT,
-    GL_SHORT,
-    GL_UNSIGNED_BYTE,
-    GL_UNSIGNED_INT,
-    GL_UNSIGNED_SHORT,
-)
+from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
 from glsim.machine.current import on_switch
 from glsim.machine.errors import GLError, explain
+from glsim.machine.types import SUFFIXES
 
 Function = Callable[..., Any]
 m: Any
@@ -211,8 +202,6 @@ SUFFIX_FREE = (
 
 
 # PyOpenGL's typed forms: the type follows from the name, size and count from the array.
-_TYPED = {"b": GL_BYTE, "s": GL_SHORT, "i": GL_INT, "f": GL_FLOAT, "d": GL_DOUBLE, "ub": GL_UNSIGNED_BYTE,
-          "us": GL_UNSIGNED_SHORT, "ui": GL_UNSIGNED_INT}  # fmt: skip
 
 
 def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
@@ -230,7 +219,7 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
         return lambda mode, indices: functions["glDrawElements"](mode, np.size(indices), gl_type, indices)
 
     made: dict[str, Function] = {}
-    for suffix, gl_type in _TYPED.items():
+    for suffix, gl_type in SUFFIXES.items():
         for array in ("Vertex", "Color", "TexCoord", "SecondaryColor"):
             made[f"gl{array}Pointer{suffix}"] = pointer(f"gl{array}Pointer", gl_type, True)
         for array in ("Normal", "Index"):

@@ -14,7 +14,7 @@ from glsim.machine.current import on_switch
 from glsim.machine.errors import explain
 
 row = Struct("10f").pack
-BAD = (TypeError, ValueError, OverflowError, struct_error)
+BAD = (TypeError, ValueError, OverflowError, IndexError, struct_error)
 Numbers = Sequence[Any]
 m: Any
 
@@ -805,7 +805,7 @@ def glTexCoord1s(s: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord1s", (s,))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1s", (s,), error) from None
 
@@ -815,7 +815,7 @@ def glTexCoord1sv(v: Numbers) -> None:
         return m.recorder("glTexCoord1sv", (v,))  # type: ignore[no-any-return]
     try:
         s = _first(v)
-        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1sv", (v,), error) from None
 
@@ -824,7 +824,7 @@ def glTexCoord1i(s: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord1i", (s,))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1i", (s,), error) from None
 
@@ -834,7 +834,7 @@ def glTexCoord1iv(v: Numbers) -> None:
         return m.recorder("glTexCoord1iv", (v,))  # type: ignore[no-any-return]
     try:
         s = _first(v)
-        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1iv", (v,), error) from None
 
@@ -843,7 +843,7 @@ def glTexCoord1f(s: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord1f", (s,))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1f", (s,), error) from None
 
@@ -853,7 +853,7 @@ def glTexCoord1fv(v: Numbers) -> None:
         return m.recorder("glTexCoord1fv", (v,))  # type: ignore[no-any-return]
     try:
         s = _first(v)
-        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1fv", (v,), error) from None
 
@@ -862,7 +862,7 @@ def glTexCoord1d(s: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord1d", (s,))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1d", (s,), error) from None
 
@@ -872,7 +872,7 @@ def glTexCoord1dv(v: Numbers) -> None:
         return m.recorder("glTexCoord1dv", (v,))  # type: ignore[no-any-return]
     try:
         s = _first(v)
-        m.texcoord.append((m.stream.tell(), (s, 0.0, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord1dv", (v,), error) from None
 
@@ -881,7 +881,7 @@ def glTexCoord2s(s: int, t: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord2s", (s, t))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2s", (s, t), error) from None
 
@@ -891,7 +891,7 @@ def glTexCoord2sv(v: Numbers) -> None:
         return m.recorder("glTexCoord2sv", (v,))  # type: ignore[no-any-return]
     try:
         s, t = v
-        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2sv", (v,), error) from None
 
@@ -900,7 +900,7 @@ def glTexCoord2i(s: int, t: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord2i", (s, t))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2i", (s, t), error) from None
 
@@ -910,7 +910,7 @@ def glTexCoord2iv(v: Numbers) -> None:
         return m.recorder("glTexCoord2iv", (v,))  # type: ignore[no-any-return]
     try:
         s, t = v
-        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2iv", (v,), error) from None
 
@@ -919,7 +919,7 @@ def glTexCoord2f(s: float, t: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord2f", (s, t))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2f", (s, t), error) from None
 
@@ -929,7 +929,7 @@ def glTexCoord2fv(v: Numbers) -> None:
         return m.recorder("glTexCoord2fv", (v,))  # type: ignore[no-any-return]
     try:
         s, t = v
-        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2fv", (v,), error) from None
 
@@ -938,7 +938,7 @@ def glTexCoord2d(s: float, t: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord2d", (s, t))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2d", (s, t), error) from None
 
@@ -948,7 +948,7 @@ def glTexCoord2dv(v: Numbers) -> None:
         return m.recorder("glTexCoord2dv", (v,))  # type: ignore[no-any-return]
     try:
         s, t = v
-        m.texcoord.append((m.stream.tell(), (s, t, 0.0, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord2dv", (v,), error) from None
 
@@ -957,7 +957,7 @@ def glTexCoord3s(s: int, t: int, r: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord3s", (s, t, r))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3s", (s, t, r), error) from None
 
@@ -967,7 +967,7 @@ def glTexCoord3sv(v: Numbers) -> None:
         return m.recorder("glTexCoord3sv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r = v
-        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3sv", (v,), error) from None
 
@@ -976,7 +976,7 @@ def glTexCoord3i(s: int, t: int, r: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord3i", (s, t, r))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3i", (s, t, r), error) from None
 
@@ -986,7 +986,7 @@ def glTexCoord3iv(v: Numbers) -> None:
         return m.recorder("glTexCoord3iv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r = v
-        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3iv", (v,), error) from None
 
@@ -995,7 +995,7 @@ def glTexCoord3f(s: float, t: float, r: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord3f", (s, t, r))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3f", (s, t, r), error) from None
 
@@ -1005,7 +1005,7 @@ def glTexCoord3fv(v: Numbers) -> None:
         return m.recorder("glTexCoord3fv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r = v
-        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3fv", (v,), error) from None
 
@@ -1014,7 +1014,7 @@ def glTexCoord3d(s: float, t: float, r: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord3d", (s, t, r))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3d", (s, t, r), error) from None
 
@@ -1024,7 +1024,7 @@ def glTexCoord3dv(v: Numbers) -> None:
         return m.recorder("glTexCoord3dv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r = v
-        m.texcoord.append((m.stream.tell(), (s, t, r, 1.0)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
         raise _misuse("glTexCoord3dv", (v,), error) from None
 
@@ -1033,7 +1033,7 @@ def glTexCoord4s(s: int, t: int, r: int, q: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord4s", (s, t, r, q))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
         raise _misuse("glTexCoord4s", (s, t, r, q), error) from None
 
@@ -1043,7 +1043,7 @@ def glTexCoord4sv(v: Numbers) -> None:
         return m.recorder("glTexCoord4sv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r, q = v
-        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
         raise _misuse("glTexCoord4sv", (v,), error) from None
 
@@ -1052,7 +1052,7 @@ def glTexCoord4i(s: int, t: int, r: int, q: int) -> None:
     if m.recorder:
         return m.recorder("glTexCoord4i", (s, t, r, q))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
         raise _misuse("glTexCoord4i", (s, t, r, q), error) from None
 
@@ -1062,7 +1062,7 @@ def glTexCoord4iv(v: Numbers) -> None:
         return m.recorder("glTexCoord4iv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r, q = v
-        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
         raise _misuse("glTexCoord4iv", (v,), error) from None
 
@@ -1071,7 +1071,7 @@ def glTexCoord4f(s: float, t: float, r: float, q: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord4f", (s, t, r, q))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
         raise _misuse("glTexCoord4f", (s, t, r, q), error) from None
 
@@ -1081,7 +1081,7 @@ def glTexCoord4fv(v: Numbers) -> None:
         return m.recorder("glTexCoord4fv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r, q = v
-        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
         raise _misuse("glTexCoord4fv", (v,), error) from None
 
@@ -1090,7 +1090,7 @@ def glTexCoord4d(s: float, t: float, r: float, q: float) -> None:
     if m.recorder:
         return m.recorder("glTexCoord4d", (s, t, r, q))  # type: ignore[no-any-return]
     try:
-        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
         raise _misuse("glTexCoord4d", (s, t, r, q), error) from None
 
@@ -1100,6 +1100,6 @@ def glTexCoord4dv(v: Numbers) -> None:
         return m.recorder("glTexCoord4dv", (v,))  # type: ignore[no-any-return]
     try:
         s, t, r, q = v
-        m.texcoord.append((m.stream.tell(), (s, t, r, q)))
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
         raise _misuse("glTexCoord4dv", (v,), error) from None

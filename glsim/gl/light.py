@@ -85,16 +85,16 @@ def glMaterial(m: Machine, face: int, pname: int, params: Any) -> None:
             )
         expected = "GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION or GL_SHININESS"
         raise invalid_enum("pname", pname, expected)
+    if face not in (GL_FRONT, GL_BACK, GL_FRONT_AND_BACK):
+        raise invalid_enum("face", face, FACES)
     value = _shininess(params) if pname == GL_SHININESS else _color(params)
     front, back = m.material
     if face == GL_FRONT_AND_BACK:
         front, back = change(front, value), change(back, value)
     elif face == GL_FRONT:
         front = change(front, value)
-    elif face == GL_BACK:
-        back = change(back, value)
     else:
-        raise invalid_enum("face", face, FACES)
+        back = change(back, value)
     m.material = _material(Material, (front, back))
     if m.inside is not None:
         m.materials.append((m.stream.tell() // ROW_BYTES, m.material))

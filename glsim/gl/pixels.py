@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.gl.arguments import DTYPES
 from glsim.machine.constants import (
     GL_ALPHA,
     GL_BGR,
@@ -28,6 +27,7 @@ from glsim.machine.constants import (
 )
 from glsim.machine.errors import invalid_enum
 from glsim.machine.machine import Machine
+from glsim.machine.types import DTYPES
 
 # format -> which component of the memory becomes red, green, blue, alpha; -1: 0, -2: 1
 COMPONENTS: dict[int, tuple[int, tuple[int, int, int, int]]] = {

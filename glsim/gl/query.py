@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from glsim.gl.arguments import DTYPES
 from glsim.gl.arrays import ARRAYS, client
 from glsim.gl.enable import CAPS, LATER, glIsEnabled, series
 from glsim.gl.fragment import HINTS
@@ -17,6 +16,7 @@ from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.machine import ATTRIB_STACK_DEPTH, MAX_LIST_NESTING, STACK_DEPTH, Machine
 from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS
 from glsim.machine.texture import MAX_TEXTURE_SIZE
+from glsim.machine.types import DTYPES
 
 Getter = Callable[[Machine], Any]
 

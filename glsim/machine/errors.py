@@ -94,6 +94,8 @@ def explain(error: Exception, name: str, arguments: Sequence[Any]) -> Exception:
             return TypeError(f"{name}: {argument} must be {expected}, not {show(value)}")
     if type(error) in (TypeError, ValueError, OverflowError):
         return type(error)(f"{name}: {error}")
+    if isinstance(error, IndexError):
+        return ValueError(f"{name}: too few numbers were given")
     if isinstance(error, (StructError, ArgumentError)):
         return TypeError(f"{name}: an argument, the current color or the current normal is not a number ({error})")
     return error

@@ -45,7 +45,7 @@ from glsim.machine.current import on_switch
 from glsim.machine.errors import explain
 
 row = Struct("10f").pack
-BAD = (TypeError, ValueError, OverflowError, struct_error)
+BAD = (TypeError, ValueError, OverflowError, IndexError, struct_error)
 Numbers = Sequence[Any]
 m: Any
 
@@ -80,7 +80,8 @@ def store(command: Command, values: list[str]) -> list[str]:
             lines.append(f'    m.columns.append(("w", m.stream.tell() // {4 * 10} - 1, {w[0]}))')
         return lines
     if command.family == "glTexCoord":
-        filled = ", ".join([*values, *("0.0", "0.0", "0.0", "1.0")[len(values) :]])
+        checked = [f"{value} + 0.0" for value in values]  # what is no number is refused here, not at the flush
+        filled = ", ".join([*checked, *("0.0", "0.0", "0.0", "1.0")[len(values) :]])
         return [f"m.texcoord.append((m.stream.tell(), ({filled})))"]
     scale = SCALED.get(command.type, "{0}")
     if command.family == "glNormal":

@@ -14,20 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.commands import COMMANDS, Command
-from glsim.machine.constants import (
-    GL_2_BYTES,
-    GL_3_BYTES,
-    GL_4_BYTES,
-    GL_BYTE,
-    GL_DOUBLE,
-    GL_FLOAT,
-    GL_INT,
-    GL_SHORT,
-    GL_UNSIGNED_BYTE,
-    GL_UNSIGNED_INT,
-    GL_UNSIGNED_SHORT,
-)
+from glsim.machine.constants import GL_2_BYTES, GL_3_BYTES, GL_4_BYTES
 from glsim.machine.frame import Call
+from glsim.machine.types import DTYPES, SUFFIXES
 from glsim.render.device import one_line
 from glsim.render.egl import EGLLoader
 from glsim.render.osmesa import OSMesaLoader
@@ -36,12 +25,6 @@ C_TYPES: dict[str, Any] = {
     "b": ctypes.c_int8, "s": ctypes.c_int16, "i": ctypes.c_int32, "f": ctypes.c_float, "d": ctypes.c_double,
     "ub": ctypes.c_uint8, "us": ctypes.c_uint16, "ui": ctypes.c_uint32, "enum": ctypes.c_uint32,
     "bitfield": ctypes.c_uint32, "boolean": ctypes.c_uint8, "sizei": ctypes.c_int32, "data": ctypes.c_void_p,
-}  # fmt: skip
-DTYPES: dict[Any, Any] = {
-    "b": np.int8, "s": np.int16, "i": np.int32, "f": np.float32, "d": np.float64, "ub": np.uint8, "us": np.uint16,
-    "ui": np.uint32,
-    GL_BYTE: np.int8, GL_UNSIGNED_BYTE: np.uint8, GL_SHORT: np.int16, GL_UNSIGNED_SHORT: np.uint16, GL_INT: np.int32,
-    GL_UNSIGNED_INT: np.uint32, GL_FLOAT: np.float32, GL_DOUBLE: np.float64,
 }  # fmt: skip
 
 
@@ -157,7 +140,8 @@ def pass_on(command: Command, arguments: tuple[Any, ...], kept: list[Any]) -> tu
     for (_, kind), value in zip(command.arguments, arguments, strict=False):
         if kind == "data":
             several_bytes = names.get("type") in (GL_2_BYTES, GL_3_BYTES, GL_4_BYTES)
-            dtype = np.uint8 if several_bytes else DTYPES.get(element or names.get("type"), np.float32)
+            number: Any = SUFFIXES[element] if element else names.get("type")
+            dtype = np.uint8 if several_bytes else DTYPES.get(number, np.float32)
             raw = isinstance(value, (bytes, bytearray))
             array = np.frombuffer(value, np.uint8) if raw else np.ascontiguousarray(value, dtype)
             kept.append(array)
