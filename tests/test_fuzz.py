@@ -53,7 +53,7 @@ def odd(sequence: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
     return st.tuples(sequence, st.integers(0, 9), ODD)
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))
 @given(st.lists(odd(ANY_CALL), min_size=1, max_size=40))
 def test_nothing_crashes(screen: glsim.Offscreen, calls: list[Any]) -> None:
     screen.reset()
@@ -90,7 +90,7 @@ def comparable(command: Command) -> st.SearchStrategy[tuple[str, tuple[Any, ...]
     return st.tuples(st.just(command.name), st.tuples(*kinds))
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))
 @given(calls=st.lists(st.one_of(*map(comparable, COMPARED)), min_size=1, max_size=30))
 def test_errors_are_the_drivers(screen: glsim.Offscreen, native: Native, calls: list[Any]) -> None:
     screen.reset()

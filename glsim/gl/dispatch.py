@@ -25,7 +25,7 @@ from glsim.machine.types import SUFFIXES
 
 Function = Callable[..., Any]
 m: Any
-errors = (GLError, TypeError, ValueError, OverflowError, NotImplementedError, StructError, ArgumentError)
+errors = (GLError, TypeError, ValueError, OverflowError, IndexError, NotImplementedError, StructError, ArgumentError)
 explained = explain  # the template's names: m, errors, explained
 
 

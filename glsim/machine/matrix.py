@@ -138,6 +138,7 @@ def rotation(angle: float, x: float, y: float, z: float) -> Float32:
     return matrix
 
 
+@np.errstate(all="ignore")
 def frustum(left: float, right: float, bottom: float, top: float, near: float, far: float) -> Float32:
     """Perspective projection, OpenGL 1.5 section 2.11.2."""
     l, r, b, t, n, f = (np.float32(v) for v in (left, right, bottom, top, near, far))  # noqa: E741
@@ -149,6 +150,7 @@ def frustum(left: float, right: float, bottom: float, top: float, near: float, f
     return matrix
 
 
+@np.errstate(all="ignore")
 def ortho(left: float, right: float, bottom: float, top: float, near: float, far: float) -> Float32:
     """Parallel projection, OpenGL 1.5 section 2.11.2."""
     l, r, b, t, n, f = (np.float32(v) for v in (left, right, bottom, top, near, far))  # noqa: E741
