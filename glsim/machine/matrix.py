@@ -165,7 +165,8 @@ def inverse_transpose(matrices: Float32) -> Float32:
     """Upper left 3x3 of the inverse of each (n, 4, 4), laid out so that row i of (n, 3, 3) is the i-th column of
     the normal matrix; the matrix itself where it cannot be inverted."""
     upper = matrices[:, :3, :3].astype(np.float64)
-    determinant = np.linalg.det(upper)
+    with np.errstate(all="ignore"):
+        determinant = np.linalg.det(upper)
     usable = np.isfinite(determinant) & (np.abs(determinant) > 1e-300)
     result = upper.copy()
     result[usable] = np.linalg.inv(upper[usable]).transpose(0, 2, 1)
