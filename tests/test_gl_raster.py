@@ -131,6 +131,10 @@ def test_list_numbers(screen: glsim.Offscreen) -> None:
     assert glGenLists(2) == first
     assert glGenLists(0) == 0
     glCallList(4711)  # does not exist: ignored
+    for ask in (glGenLists, glGenTextures):
+        with pytest.raises(GLError, match="are more than the") as caught:
+            ask(2**40)
+        assert caught.value.err == GL_OUT_OF_MEMORY
 
 
 def test_list_errors(screen: glsim.Offscreen) -> None:

@@ -21,10 +21,10 @@ from glsim.machine.constants import (
     GL_UNSIGNED_INT,
     GL_UNSIGNED_SHORT,
 )
-from glsim.machine.errors import GLError, invalid_enum, invalid_operation, invalid_value
+from glsim.machine.errors import GLError, invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Call
 from glsim.machine.geometry import Geometry
-from glsim.machine.machine import MAX_LIST_NESTING, Machine
+from glsim.machine.machine import MAX_LIST_NESTING, MOST_NAMES, Machine
 from glsim.machine.record import ARRAY_CALLS, ListRecorder, implementations
 
 STATIC_FAMILIES = {
@@ -147,6 +147,8 @@ def glGenLists(m: Machine, s: int) -> int:
     """The first of ``s`` unused numbers in a row; they become empty lists."""
     if s < 0:
         raise invalid_value("s", s, "at least 0")
+    if s > MOST_NAMES:
+        raise out_of_memory(f"{s} display lists are more than the {MOST_NAMES} that can be")
     if s == 0:
         return 0
     first = 1

@@ -12,7 +12,7 @@ from glsim.gl.enable import CAPS, LATER, glIsEnabled, series
 from glsim.gl.fragment import HINTS
 from glsim.gl.raster import LARGEST_LINE, LARGEST_POINT
 from glsim.machine import constants as gl
-from glsim.machine.errors import invalid_enum, invalid_value
+from glsim.machine.errors import invalid_enum, invalid_value, out_of_memory
 from glsim.machine.machine import ATTRIB_STACK_DEPTH, MAX_LIST_NESTING, STACK_DEPTH, Machine
 from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS
 from glsim.machine.texture import MAX_TEXTURE_SIZE
@@ -256,6 +256,7 @@ COMPONENTS = {
     gl.GL_RED: (0,), gl.GL_GREEN: (1,), gl.GL_BLUE: (2,), gl.GL_ALPHA: (3,),
     gl.GL_RGB: (0, 1, 2), gl.GL_RGBA: (0, 1, 2, 3), gl.GL_BGR: (2, 1, 0), gl.GL_BGRA: (2, 1, 0, 3),
 }  # fmt: skip
+LARGEST_RECTANGLE = 16384
 ALIGNMENTS = (gl.GL_PACK_ALIGNMENT, gl.GL_UNPACK_ALIGNMENT)
 UNPACKING = (gl.GL_UNPACK_ROW_LENGTH, gl.GL_UNPACK_SKIP_ROWS, gl.GL_UNPACK_SKIP_PIXELS, gl.GL_UNPACK_SWAP_BYTES)
 IGNORED_IF_0 = (
@@ -294,6 +295,8 @@ def glReadPixels(
     """Pixels, bottom row first.  As PyOpenGL: bytes for GL_UNSIGNED_BYTE, else an array; or into ``array``."""
     if width < 0 or height < 0:
         raise invalid_value("width and height", (width, height), "at least 0")
+    if max(width, height) > LARGEST_RECTANGLE:
+        raise out_of_memory(f"a rectangle of {width} x {height} pixels is larger than any picture")
     dtype = DTYPES.get(type)
     if dtype is None:
         raise invalid_enum("type", type, "GL_UNSIGNED_BYTE, GL_FLOAT or another number type")

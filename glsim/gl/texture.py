@@ -51,8 +51,8 @@ from glsim.machine.constants import (
     GL_TEXTURE_WRAP_T,
     Enum,
 )
-from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
-from glsim.machine.machine import Machine
+from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
+from glsim.machine.machine import MOST_NAMES, Machine
 from glsim.machine.state import Color
 from glsim.machine.texture import BASE_FORMATS, MAX_TEXTURE_SIZE, Image, Sampler, Texture, mipmaps
 
@@ -100,6 +100,8 @@ def glGenTextures(m: Machine, n: int, textures: Any = None) -> Any:
     """As PyOpenGL: one name for n = 1, an array of names for more; or into ``textures``."""
     if n < 0:
         raise invalid_value("n", n, "at least 0")
+    if n > MOST_NAMES:
+        raise out_of_memory(f"{n} textures are more than the {MOST_NAMES} that can be")
     names: list[int] = []
     name = 1
     used = {number for number, _ in m.textures} | m.texture_names

@@ -43,6 +43,7 @@ LARGE = 256 * 1024 * 1024
 # Depths of the matrix stacks; the specification's minimum is 32, 2 and 2.
 ATTRIB_STACK_DEPTH = 16
 MAX_LIST_NESTING = 64
+MOST_NAMES = 1 << 20  # of display lists or textures that one call may ask for
 STACK_DEPTH: dict[int, int] = {GL_MODELVIEW: 64, GL_PROJECTION: 32, GL_TEXTURE: 32}
 
 
