@@ -39,6 +39,11 @@ def matrix16(values: Any) -> NDArray[np.float32]:
     return array.reshape(4, 4).copy()
 
 
+def unit(value: float) -> float:
+    """Clamped to [0, 1]."""
+    return min(max(float(value), 0.0), 1.0)
+
+
 def signed_colour(value: float) -> float:
     """An integer as a colour component: [-2^31, 2^31 - 1] -> [-1, 1], OpenGL 1.5 table 2.9."""
     return (2.0 * value + 1.0) / 4294967295.0

@@ -100,14 +100,13 @@ def _adapt(command: Command, body: Function) -> Function:
         return lambda m, *a: into(a[-1], answer(body(m, *a[:-1]), kind, a[-2] in COLOURS))
     if command.family == "glRect" and command.vector:
         return lambda m, v1, v2: body(m, *v1, *v2)
-    if command.family == "glPixelStore" or command.size == 16 or (not command.vector and command.size != 1):
-        return body if kind not in _SCALES else _scaled(body, _SCALES[kind], command)
     if command.size == 0 or command.arguments[-1][0] == "param":  # a named parameter
         return _integer_parameter(body) if kind == "i" else body
-    if command.vector:
+    if command.family == "glSecondaryColor" and kind in _SCALES:
+        body = _scaled(body, _SCALES[kind])
+    if command.vector and command.size != 16:
         many = len(command.arguments) - 1
-        inner = body if kind not in _SCALES else _scaled(body, _SCALES[kind], command)
-        return lambda m, *a: inner(m, *a[:many], *numbers(a[many])[: command.size])
+        return lambda m, *a: body(m, *a[:many], *numbers(a[many])[: command.size])
     return body
 
 
@@ -122,9 +121,7 @@ _SCALES: dict[str, Callable[[float], float]] = {
 }
 
 
-def _scaled(body: Function, scale: Callable[[float], float], command: Command) -> Function:
-    if command.family != "glSecondaryColor":
-        return body
+def _scaled(body: Function, scale: Callable[[float], float]) -> Function:
     return lambda m, *a: body(m, *map(scale, a))
 
 
@@ -199,9 +196,6 @@ SUFFIX_FREE = (
     "glLight", "glLightModel", "glFog", "glTexEnv", "glTexGen", "glTexParameter", "glPixelStore", "glPixelTransfer",
     "glPointParameter",
 )  # fmt: skip
-
-
-# PyOpenGL's typed forms: the type follows from the name, size and count from the array.
 
 
 def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:

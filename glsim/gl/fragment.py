@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from glsim.gl.arguments import exactly, numbers
+from glsim.gl.arguments import exactly, numbers, unit
 from glsim.machine.constants import (
     GL_ACCUM_BUFFER_BIT,
     GL_ALWAYS,
@@ -71,10 +71,6 @@ from glsim.machine.machine import Machine
 from glsim.machine.state import Color
 
 
-def _unit(value: float) -> float:
-    return min(max(float(value), 0.0), 1.0)
-
-
 def _check_func(func: int) -> None:
     if not GL_NEVER <= func <= GL_ALWAYS:
         raise invalid_enum("func", func, "a comparison such as GL_LESS or GL_LEQUAL")
@@ -88,7 +84,7 @@ def glFog(m: Machine, pname: int, params: Any) -> None:
         values = numbers(params)
         if len(values) < 3:
             raise ValueError(f"GL_FOG_COLOR needs four numbers, not {len(values)}")
-        color: Color = (*map(_unit, (*values, 1.0)[:4]),)  # type: ignore[assignment]
+        color: Color = (*map(unit, (*values, 1.0)[:4]),)  # type: ignore[assignment]
         m.fog = m.fog._replace(color=color)
         return
     (value,) = exactly(params, 1, "this parameter")
@@ -124,12 +120,12 @@ def glScissor(m: Machine, x: int, y: int, width: int, height: int) -> None:
 
 
 def glSampleCoverage(m: Machine, value: float, invert: bool) -> None:
-    m.multisample = m.multisample._replace(coverage_value=_unit(value), coverage_invert=bool(invert))
+    m.multisample = m.multisample._replace(coverage_value=unit(value), coverage_invert=bool(invert))
 
 
 def glAlphaFunc(m: Machine, func: int, ref: float) -> None:
     _check_func(func)
-    m.color_buffer = m.color_buffer._replace(alpha_func=func, alpha_reference=_unit(ref))
+    m.color_buffer = m.color_buffer._replace(alpha_func=func, alpha_reference=unit(ref))
 
 
 def glStencilFunc(m: Machine, func: int, ref: int, mask: int) -> None:
@@ -180,7 +176,7 @@ def glBlendEquation(m: Machine, mode: int) -> None:
 
 
 def glBlendColor(m: Machine, red: float, green: float, blue: float, alpha: float) -> None:
-    m.color_buffer = m.color_buffer._replace(blend_color=(_unit(red), _unit(green), _unit(blue), _unit(alpha)))
+    m.color_buffer = m.color_buffer._replace(blend_color=(unit(red), unit(green), unit(blue), unit(alpha)))
 
 
 def glLogicOp(m: Machine, op: int) -> None:
@@ -205,11 +201,11 @@ def glColorMask(m: Machine, r: bool, g: bool, b: bool, a: bool) -> None:
 
 
 def glClearColor(m: Machine, r: float, g: float, b: float, a: float) -> None:
-    m.color_buffer = m.color_buffer._replace(clear=(_unit(r), _unit(g), _unit(b), _unit(a)))
+    m.color_buffer = m.color_buffer._replace(clear=(unit(r), unit(g), unit(b), unit(a)))
 
 
 def glClearDepth(m: Machine, d: float) -> None:
-    m.depth = m.depth._replace(clear=_unit(d))
+    m.depth = m.depth._replace(clear=unit(d))
 
 
 def glClearStencil(m: Machine, s: int) -> None:

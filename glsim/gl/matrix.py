@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from glsim.gl.arguments import exactly, matrix16
+from glsim.gl.arguments import exactly, matrix16, unit
 from glsim.machine import matrix
 from glsim.machine.constants import GL_CLIP_PLANE0, GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE
 from glsim.machine.errors import invalid_enum, invalid_value, stack_overflow, stack_underflow
@@ -106,8 +106,7 @@ def glViewport(m: Machine, x: int, y: int, width: int, height: int) -> None:
 
 
 def glDepthRange(m: Machine, zNear: float, zFar: float) -> None:
-    near, far = (min(max(float(v), 0.0), 1.0) for v in (zNear, zFar))
-    m.viewport = m.viewport._replace(near=near, far=far)
+    m.viewport = m.viewport._replace(near=unit(zNear), far=unit(zFar))
 
 
 def glClipPlane(m: Machine, plane: int, equation: Any) -> None:

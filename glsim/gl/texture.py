@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from glsim.gl.arguments import exactly, numbers
+from glsim.gl.arguments import exactly, numbers, unit
 from glsim.gl.pixels import unpack
 from glsim.machine.constants import (
     GL_ADD,
@@ -280,7 +280,7 @@ def glTexParameter(m: Machine, target: int, pname: int, params: Any) -> None:
 
 def _sampler(sampler: Sampler, pname: int, params: Any) -> Sampler:
     if pname == GL_TEXTURE_BORDER_COLOR:
-        r, g, b, a = (min(max(v, 0.0), 1.0) for v in exactly(params, 4, "GL_TEXTURE_BORDER_COLOR"))
+        r, g, b, a = map(unit, exactly(params, 4, "GL_TEXTURE_BORDER_COLOR"))
         return replace(sampler, border_color=(r, g, b, a))
     (value,) = exactly(params, 1, "this parameter")
     if pname in SAMPLER_FIELDS:
@@ -291,7 +291,7 @@ def _sampler(sampler: Sampler, pname: int, params: Any) -> Sampler:
     if pname == GL_TEXTURE_WRAP_R:
         return sampler
     if pname == GL_TEXTURE_PRIORITY:
-        return replace(sampler, priority=min(max(value, 0.0), 1.0))
+        return replace(sampler, priority=unit(value))
     if pname == GL_GENERATE_MIPMAP:
         return replace(sampler, generate_mipmap=value != 0.0)
     raise invalid_enum("pname", pname, "a texture parameter such as GL_TEXTURE_MIN_FILTER or GL_TEXTURE_WRAP_S")
@@ -324,7 +324,7 @@ def glTexEnv(m: Machine, target: int, pname: int, params: Any) -> None:
             raise invalid_enum("param", int(mode), "GL_MODULATE, GL_DECAL, GL_BLEND, GL_REPLACE or GL_ADD")
         m.texture = m.texture._replace(environment=int(mode))
     elif pname == GL_TEXTURE_ENV_COLOR:
-        r, g, b, a = (min(max(v, 0.0), 1.0) for v in exactly(params, 4, "GL_TEXTURE_ENV_COLOR"))
+        r, g, b, a = map(unit, exactly(params, 4, "GL_TEXTURE_ENV_COLOR"))
         color: Color = (r, g, b, a)
         m.texture = m.texture._replace(environment_color=color)
     else:

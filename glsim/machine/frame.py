@@ -6,8 +6,10 @@ model, probe evaluates one of its pixels.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from operator import itemgetter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,11 +23,6 @@ ROW = 10
 ROW_BYTES = 4 * ROW
 
 
-# Attributes that few programs change from vertex to vertex: their columns exist only where they vary.  Name: width.
-COLUMNS = {
-    "texcoord0": 4, "texcoord1": 4, "texcoord2": 4, "texcoord3": 4, "secondary_color": 4, "fog_coord": 1,
-    "edge_flag": 1, "w": 1,
-}  # fmt: skip
 TEXTURE_UNITS = 4
 
 
@@ -36,7 +33,7 @@ class Vertices:
     """The vertices between two flushes, or of a display list.
 
     rows: (n, 10) float32; columns 0:3 position, 3:6 normal, 6:10 colour.
-    columns: other attributes by name (see COLUMNS), (n, width) float32, or (1, width) where all vertices agree.
+    columns: other attributes by name (machine.INITIAL and w), (n, width) float32; (1, width) where all agree.
     materials: (first vertex, material) for each glMaterial between glBegin and glEnd, in order.
     static: the rows will be drawn again and again, so the GPU may keep them.
     """
@@ -97,6 +94,14 @@ class Draw:
         draw = Draw(self.mode, self.first, self.count, self.indices, self.matrices, self.material, state)
         draw.vertices, draw.color = self.vertices, self.color
         return draw
+
+    def material_changes(self) -> list[tuple[int, Material]]:
+        """glMaterial between this Draw's glBegin and glEnd: (first vertex, material), the last one for each vertex."""
+        changes = self.block.materials
+        if not changes or self.indices is not None:
+            return []
+        begin, end = (bisect_left(changes, at, key=itemgetter(0)) for at in (self.first, self.first + self.count))
+        return list(dict(changes[begin:end]).items())
 
     @property
     def block(self) -> Vertices:

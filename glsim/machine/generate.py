@@ -13,6 +13,7 @@ from typing import Any
 
 from glsim.machine.commands import COMMANDS, FAMILIES, Command
 from glsim.machine.constants import Enum
+from glsim.machine.frame import ROW_BYTES
 
 GL = Path(__file__).parent.parent / "gl"
 HOT = ("glVertex", "glNormal", "glColor", "glTexCoord")
@@ -77,7 +78,7 @@ def store(command: Command, values: list[str]) -> list[str]:
         lines = [f"m.write(row({x}, {y}, {z}, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))"]
         if w:
             lines.append(f"if {w[0]} != 1.0 and m.inside is not None:")
-            lines.append(f'    m.columns.append(("w", m.stream.tell() // {4 * 10} - 1, {w[0]}))')
+            lines.append(f'    m.columns.append(("w", m.stream.tell() // {ROW_BYTES} - 1, {w[0]}))')
         return lines
     if command.family == "glTexCoord":
         checked = [f"{value} + 0.0" for value in values]  # what is no number is refused here, not at the flush

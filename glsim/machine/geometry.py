@@ -53,7 +53,7 @@ class Geometry:
 
     def call(self, m: Machine) -> None:
         """Draw with the machine's present state, and leave the current values that the list sets."""
-        state, matrices = m.snapshot(), (m.modelview[-1], m.projection[-1], m.texture_stack[-1])
+        state, matrices = m.snapshot(), m.matrices()
         filled = state.polygon.front_mode == state.polygon.back_mode == GL_FILL
         vertices = self._resolved(
             m, not filled or state.fog.color_sum or state.fog.enabled or state.texture.active is not None

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from glsim.machine.constants import GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE
 from glsim.machine.errors import invalid_operation
-from glsim.machine.frame import ROW, ROW_BYTES, TEXTURE_UNITS, Draw, Frame, Packet, Vertices
+from glsim.machine.frame import ROW, ROW_BYTES, TEXTURE_UNITS, Draw, Frame, Matrices, Packet, Vertices
 from glsim.machine.matrix import Matrix, identity
 from glsim.machine.state import (
     ColorBuffer,
@@ -62,7 +62,7 @@ class Device(Protocol):
     def describe(self) -> dict[str, Any]: ...
 
 
-# An attribute that changes now and then: (position in the stream, value from there on).
+# An attribute that few programs change from vertex to vertex: (position in the stream, value from there on).
 Track = list[tuple[int, tuple[float, ...]]]
 INITIAL: dict[str, tuple[float, ...]] = {
     **{f"texcoord{unit}": (0.0, 0.0, 0.0, 1.0) for unit in range(TEXTURE_UNITS)},
@@ -168,7 +168,7 @@ class Machine:
 
     @property
     def current(self) -> dict[str, tuple[float, ...]]:
-        """Current values of the attributes in COLUMNS."""
+        """Current values of the attributes in INITIAL."""
         return {name: track[-1][1] for name, track in self.tracks.items()}
 
     @current.setter
@@ -198,8 +198,7 @@ class Machine:
         self.write = _ignore
         first, end = self.first, self.stream.tell()
         count = end // ROW_BYTES - first
-        matrices = (self.modelview[-1], self.projection[-1], self.texture_stack[-1])
-        self.packets.append(Draw(mode, first, count, None, matrices, self.begin_material, self.snapshot()))
+        self.packets.append(Draw(mode, first, count, None, self.matrices(), self.begin_material, self.snapshot()))
         if end > LARGE:
             self.flush()
 
@@ -214,10 +213,13 @@ class Machine:
         first = self.stream.tell() // ROW_BYTES
         self.stream.write(np.ascontiguousarray(rows, np.float32).data)
         self.columns += [(name, first, values) for name, values in columns.items()]
-        matrices = (self.modelview[-1], self.projection[-1], self.texture_stack[-1])
-        self.packets.append(Draw(mode, first, len(rows), indices, matrices, self.material, self.snapshot()))
+        self.packets.append(Draw(mode, first, len(rows), indices, self.matrices(), self.material, self.snapshot()))
         if self.stream.tell() > LARGE:
             self.flush()
+
+    def matrices(self) -> Matrices:
+        """What a Draw made now is transformed with."""
+        return self.modelview[-1], self.projection[-1], self.texture_stack[-1]
 
     def snapshot(self) -> Snapshot:
         return Snapshot._make(take_groups(self))
@@ -270,6 +272,3 @@ class Machine:
         """Send every command to ``recorder`` instead of executing it; None ends that."""
         self.recorder = recorder
         self.busy = recorder is not None or self.inside is not None
-
-    def top(self) -> Matrix:
-        return self.stack[-1]

@@ -7,11 +7,9 @@ same display list become instances of one.
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
-from operator import itemgetter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -115,7 +113,7 @@ def plan(draws: Sequence[Draw], limit: int, objects: list[Object]) -> Plan:
     spans: list[tuple[int, int, int]] = []  # first vertex, end, object relative to the batch
     batch: Batch | None = None
     for draw in draws:
-        changes = _material_changes(draw)
+        changes = draw.material_changes()
         if batch is None or not _fits(batch, draw, len(changes), limit):
             batch = Batch(draw.state, corners(draw.mode), draw.block, len(objects), 0, [])
             result.batches.append(batch)
@@ -160,7 +158,7 @@ def _row(objects: list[Object], batch: Batch, thing: Object) -> int:
 
 def separate(draw: Draw, limit: int) -> list[Draw]:
     """``draw``, or if it uses more than ``limit`` materials the same primitives as several Draws that do not."""
-    changes = _material_changes(draw)
+    changes = draw.material_changes()
     if len(changes) < limit or len({material for _, material in changes}) < limit:
         return [draw]
     size = corners(draw.mode)
@@ -177,19 +175,10 @@ def separate(draw: Draw, limit: int) -> list[Draw]:
 
 def materials_of(draw: Draw, chosen: Uint32) -> list[Material]:
     """The material at each of some vertices of a Draw."""
-    changes = _material_changes(draw)
+    changes = draw.material_changes()
     materials = [draw.material, *(material for _, material in changes)]
     firsts = np.array([vertex for vertex, _ in changes])
     return [materials[k] for k in np.searchsorted(firsts, chosen, side="right")]
-
-
-def _material_changes(draw: Draw) -> list[tuple[int, Material]]:
-    """glMaterial between this Draw's glBegin and glEnd: (first vertex, material), the last one for each vertex."""
-    changes = draw.block.materials
-    if not changes or draw.indices is not None:
-        return []
-    begin, end = (bisect_left(changes, vertex, key=itemgetter(0)) for vertex in (draw.first, draw.first + draw.count))
-    return list(dict(changes[begin:end]).items())
 
 
 def _rows(spans: list[tuple[int, int, int]], count: int) -> Uint32:

@@ -22,7 +22,6 @@ TRACK_REFERENCES = 0x3352
 CONFIG = (0x3033, 0x0001, 0x3040, 0x0008, 0x3024, 8, 0x3023, 8, 0x3022, 8, 0x3021, 8, 0x3025, 24, 0x3026, 8, EGL_NONE)
 # version 3.3, core profile, forward compatible
 CORE = (0x3098, 3, 0x30FB, 3, 0x30FD, 1, 0x31B1, 1, EGL_NONE)
-RESULTS = {"eglInitialize": ctypes.c_uint, "eglMakeCurrent": ctypes.c_uint, "eglChooseConfig": ctypes.c_uint}
 POINTERS = (
     "eglGetProcAddress", "eglCreatePbufferSurface", "eglCreateContext", "eglGetCurrentContext", "eglGetCurrentSurface",
     "eglGetCurrentDisplay", "eglGetDisplay",

@@ -10,8 +10,6 @@ import numpy as np
 from glsim.machine.state import BLACK, Color, Face
 from glsim.scenes.mesh import Mesh, area_vectors, blocks, unit, with_normals
 
-READ = (".glb", ".gltf", ".obj", ".off", ".ply", ".stl", ".3mf", ".dae", ".xyz")
-
 
 class MeshError(ValueError):
     """A mesh file that cannot be drawn; the message names the file and what is wrong with it."""

@@ -226,9 +226,8 @@ def _unlit(frame: Frame) -> Frame:
         plain.vertices = blocks[id(block)]
         end = draw.first + draw.count
         plain.vertices.rows[draw.first : end, 6:10] = draw.material.front.diffuse
-        for vertex, material in block.materials:
-            if draw.first <= vertex < end:
-                plain.vertices.rows[vertex:end, 6:10] = material.front.diffuse
+        for vertex, material in draw.material_changes():
+            plain.vertices.rows[vertex:end, 6:10] = material.front.diffuse
         return plain
 
     return frame.map_draws(change)
