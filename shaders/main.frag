@@ -6,6 +6,7 @@
 #include "light.glsl"
 #include "raster.glsl"
 #include "texture.glsl"
+#include "pixels.glsl"
 #include "fog.glsl"
 #include "tests.glsl"
 
@@ -17,7 +18,9 @@ SHADED in vec3 back_highlight;
 in vec3 eye_position;
 in vec3 eye_normal;
 in vec4 vertex_color;
-in vec4 texture_coordinates;
+#if TEXTURES
+in vec4 texture_coordinates[4];
+#endif
 in float fog_distance;
 noperspective in float along_line;
 flat in uint object_row;
@@ -40,7 +43,16 @@ void main()
         else shade(track(material.front, vertex_color, FRONT_TRACKS), N, eye_position, color, highlight);
     }
 
-    if (TEXTURE) color = textured(color, texel(texture_coordinates));
+#if PIXELS == PIXELS_COLOR
+    color = pixel();
+#elif PIXELS == PIXELS_DEPTH
+    gl_FragDepth = pixel().r;
+#elif PIXELS == PIXELS_BITMAP
+    if (pixel().r == 0.0) discard;
+#endif
+#if TEXTURES
+    color = textured(color, texture_coordinates);
+#endif
     if (SEPARATE_SPECULAR || COLOR_SUM) color.rgb = min(color.rgb + highlight, 1.0);
     if (FOG != FOG_OFF) color.rgb = mix(fog_color.rgb, color.rgb, fog_factor(fog_distance));
     if (!alpha_test(color.a)) discard;

@@ -9,6 +9,7 @@
 #include "raster.glsl"
 #include "clip.glsl"
 #include "line.glsl"
+#include "texgen.glsl"
 
 in vec3 position;
 in float position_w;        // only if HAS_W; else 1
@@ -16,7 +17,11 @@ in vec3 normal;
 in vec4 color;              // not if OBJECT_COLOR: then all vertices have the colour of their object
 in vec4 secondary_color;    // only if COLOR_SUM
 in float fog_coord;         // only if FOG_COORDINATE
-in vec4 texcoord0;          // only if TEXTURE
+in vec4 texcoord0;          // only if that unit is in use
+in vec4 texcoord1;
+in vec4 texcoord2;
+in vec4 texcoord3;
+in float depth_offset;      // only if DEPTH_OFFSET: in window coordinates
 in uint object;             // only if MANY_OBJECTS: the row of transforms and materials that this vertex uses
 in vec4 other_end;          // only if WIDE_LINES: the line's other end, in object space
 in float line_side;         // only if WIDE_LINES: -1 or 1
@@ -30,7 +35,9 @@ SHADED out vec3 back_highlight;
 out vec3 eye_position;              // only if the equation runs per fragment
 out vec3 eye_normal;
 out vec4 vertex_color;
-out vec4 texture_coordinates;       // only if TEXTURE
+#if TEXTURES
+out vec4 texture_coordinates[4];
+#endif
 out float fog_distance;             // only with fog
 noperspective out float along_line; // only if LINE_STIPPLE
 flat out uint object_row;
@@ -39,6 +46,7 @@ vec4 project(Transform transform, vec4 P)
 {
     vec4 Q = transform.modelview_projection * P;
     if (WIDE_LINES) Q = widen(Q, transform.modelview_projection * other_end, line_side);
+    if (DEPTH_OFFSET) Q.z += 2.0 * depth_offset * Q.w;
     if (POINTS) Q.xy += vec2(2.002, 1.998) / 256.0 / viewport.zw * Q.w; // between two pixels: up and to the right
     return Q;
 }
@@ -56,28 +64,40 @@ void main()
     object_row = MANY_OBJECTS ? object : 0u;
     Transform transform = transforms[object_row];
     Material material = materials[object_row];
-    vec4 P = vec4(position, HAS_W ? position_w : 1.0);
+    vec4 P = vec4(position, HAS_W ? position_w : 1.0);  // in object space
+    vec4 E = transform.modelview * P;                   // in eye space
     gl_Position = project(transform, P);
 
     vec4 own_color = OBJECT_COLOR ? material.color : color;
     front_color = back_color = vertex_color = clamp(own_color, 0.0, 1.0);
     front_highlight = back_highlight = COLOR_SUM ? clamp(secondary_color.rgb, 0.0, 1.0) : vec3(0.0);
     if (LINE_STIPPLE) along_line = line_start;
-    if (TEXTURE) texture_coordinates = transform.texture * texcoord0;
 
-    P = transform.modelview * P;    // in eye space from here on
 #if CLIPPING
-    clip(P);
+    clip(E);
 #endif
-    if (POINTS) gl_PointSize = point_size(abs(P.z));
-    if (FOG != FOG_OFF) fog_distance = FOG_COORDINATE ? fog_coord : abs(P.z);
-    if (!LIGHTING) return;
+    if (POINTS) gl_PointSize = point_size(abs(E.z));
+    if (FOG != FOG_OFF) fog_distance = FOG_COORDINATE ? fog_coord : abs(E.z);
 
     vec3 N = transform.normal * normal;
     if (NORMALIZE) N = normalize(N);
     else if (RESCALE_NORMAL) N *= inversesqrt(dot(transform.normal[2], transform.normal[2]));
 
-    eye_position = P.xyz / P.w;
+#if TEXTURE_0
+    texture_coordinates[0] = transform.texture * generate(0, texcoord0, P, E, N);
+#endif
+#if TEXTURE_1
+    texture_coordinates[1] = units[1].matrix * generate(1, texcoord1, P, E, N);
+#endif
+#if TEXTURE_2
+    texture_coordinates[2] = units[2].matrix * generate(2, texcoord2, P, E, N);
+#endif
+#if TEXTURE_3
+    texture_coordinates[3] = units[3].matrix * generate(3, texcoord3, P, E, N);
+#endif
+    if (!LIGHTING) return;
+
+    eye_position = E.xyz / E.w;
     eye_normal = N;
     vertex_color = own_color;
     if (PER_FRAGMENT) return;

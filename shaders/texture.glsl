@@ -1,37 +1,177 @@
-// glTexEnv: how a texel changes the fragment's colour (OpenGL 1.5, table 3.22).
+// glTexEnv: how the texel of each unit changes the fragment's colour (OpenGL 1.5, tables 3.22 to 3.25).
 // C: colour of the fragment, T: the texel.  An alpha texture has no colour, a luminance or RGB texture no alpha.
 
-uniform sampler2D texture0;
+#include "unit.glsl"
 
-vec4 texel(vec4 coordinates)
+#if TEXTURE_0
+uniform SAMPLER_0 texture0;
+#endif
+#if TEXTURE_1
+uniform SAMPLER_1 texture1;
+#endif
+#if TEXTURE_2
+uniform SAMPLER_2 texture2;
+#endif
+#if TEXTURE_3
+uniform SAMPLER_3 texture3;
+#endif
+
+#if TEXTURES
+
+vec4 texels[4];         // what each unit reads
+vec4 primary_color;     // the fragment's colour before texturing
+
+// GL_CLAMP keeps the coordinate in [0, 1], so that half of the border shows
+float wrapped(float s, int unit, int axis)
+{
+    return CLAMP[3 * unit + axis] ? clamp(s, 0.0, 1.0) : s;
+}
+
+// A depth is shown as GL_DEPTH_TEXTURE_MODE says
+vec4 as_depth(float depth, int unit)
+{
+    if (!TEXTURE_HAS_COLOR[unit]) return vec4(0.0, 0.0, 0.0, depth);
+    return vec4(vec3(depth), TEXTURE_IS_INTENSITY[unit] ? depth : 1.0);
+}
+
+vec4 texel(sampler2D image, int unit, vec4 coordinates)
 {
     vec2 st = coordinates.st / coordinates.q;
-    if (TEXTURE_IS_1D) st.t = 0.5;
-    if (CLAMP_S) st.s = clamp(st.s, 0.0, 1.0);     // GL_CLAMP: half of the border shows
-    if (CLAMP_T) st.t = clamp(st.t, 0.0, 1.0);
-    return texture(texture0, st);
+    st.s = wrapped(st.s, unit, 0);
+    st.t = TEXTURE_IS_1D[unit] ? 0.5 : wrapped(st.t, unit, 1);
+    vec4 T = texture(image, st);
+    return TEXTURE_IS_DEPTH[unit] ? as_depth(T.r, unit) : T;
 }
 
-vec4 textured(vec4 C, vec4 T)
+// GL_TEXTURE_COMPARE_MODE: 1 where r passes the comparison with the depth in the texture
+vec4 texel(sampler2DShadow image, int unit, vec4 coordinates)
 {
-    vec4 result = C;
-    if (TEXENV == GL_REPLACE) {
-        if (TEXTURE_HAS_COLOR) result.rgb = T.rgb;
-        if (TEXTURE_HAS_ALPHA) result.a = T.a;
+    vec3 str = coordinates.stp / coordinates.q;
+    str.s = wrapped(str.s, unit, 0);
+    str.t = TEXTURE_IS_1D[unit] ? 0.5 : wrapped(str.t, unit, 1);
+    str.p = clamp(str.p, 0.0, 1.0);
+    return as_depth(texture(image, str), unit);
+}
+
+vec4 texel(sampler3D image, int unit, vec4 coordinates)
+{
+    vec3 str = coordinates.stp / coordinates.q;
+    for (int axis = 0; axis < 3; axis++) str[axis] = wrapped(str[axis], unit, axis);
+    return texture(image, str);
+}
+
+vec4 texel(samplerCube image, int unit, vec4 coordinates)
+{
+    return texture(image, coordinates.stp);
+}
+
+// ---------------------------------------------------------------- GL_COMBINE
+
+// Where an argument comes from
+vec4 source(int which, int unit, vec4 previous)
+{
+    if (which == GL_TEXTURE) return texels[unit];
+    if (which == GL_CONSTANT) return units[unit].environment_color;
+    if (which == GL_PRIMARY_COLOR) return primary_color;
+    if (which == GL_PREVIOUS) return previous;
+    return texels[which - GL_TEXTURE0];
+}
+
+vec3 argument_rgb(int number, int unit, vec4 previous)
+{
+    vec4 value = source(SOURCE_RGB[3 * unit + number], unit, previous);
+    int operand = OPERAND_RGB[3 * unit + number];
+    if (operand == GL_SRC_COLOR) return value.rgb;
+    if (operand == GL_ONE_MINUS_SRC_COLOR) return 1.0 - value.rgb;
+    if (operand == GL_SRC_ALPHA) return value.aaa;
+    return 1.0 - value.aaa;
+}
+
+float argument_alpha(int number, int unit, vec4 previous)
+{
+    float value = source(SOURCE_ALPHA[3 * unit + number], unit, previous).a;
+    return OPERAND_ALPHA[3 * unit + number] == GL_SRC_ALPHA ? value : 1.0 - value;
+}
+
+// For colours as vectors and for alpha, whose vectors have one number
+vec3 combined(int how, vec3 a0, vec3 a1, vec3 a2)
+{
+    if (how == GL_REPLACE) return a0;
+    if (how == GL_MODULATE) return a0 * a1;
+    if (how == GL_ADD) return a0 + a1;
+    if (how == GL_ADD_SIGNED) return a0 + a1 - 0.5;
+    if (how == GL_INTERPOLATE) return a0 * a2 + a1 * (1.0 - a2);
+    if (how == GL_SUBTRACT) return a0 - a1;
+    return vec3(4.0 * dot(a0 - 0.5, a1 - 0.5));         // GL_DOT3_RGB and GL_DOT3_RGBA
+}
+
+vec4 combine(int unit, vec4 C)
+{
+    vec3 rgb = combined(COMBINE_RGB[unit],
+        argument_rgb(0, unit, C), argument_rgb(1, unit, C), argument_rgb(2, unit, C));
+    float alpha = combined(COMBINE_ALPHA[unit], vec3(argument_alpha(0, unit, C)),
+        vec3(argument_alpha(1, unit, C)), vec3(argument_alpha(2, unit, C))).x;
+    if (COMBINE_RGB[unit] == GL_DOT3_RGBA) return vec4(rgb, rgb.r) * units[unit].scale.xxxx;
+    return vec4(rgb * units[unit].scale.x, alpha * units[unit].scale.y);
+}
+
+// ---------------------------------------------------------------- all environments
+
+vec4 environment(int unit, vec4 C)
+{
+    vec4 T = texels[unit], C_c = units[unit].environment_color, result = C;
+    bool has_color = TEXTURE_HAS_COLOR[unit], has_alpha = TEXTURE_HAS_ALPHA[unit];
+    if (TEXENV[unit] == GL_REPLACE) {
+        if (has_color) result.rgb = T.rgb;
+        if (has_alpha) result.a = T.a;
     }
-    if (TEXENV == GL_MODULATE) {
-        if (TEXTURE_HAS_COLOR) result.rgb = C.rgb * T.rgb;
-        if (TEXTURE_HAS_ALPHA) result.a = C.a * T.a;
+    if (TEXENV[unit] == GL_MODULATE) {
+        if (has_color) result.rgb = C.rgb * T.rgb;
+        if (has_alpha) result.a = C.a * T.a;
     }
-    if (TEXENV == GL_DECAL && TEXTURE_HAS_COLOR)
-        result.rgb = TEXTURE_HAS_ALPHA ? mix(C.rgb, T.rgb, T.a) : T.rgb;
-    if (TEXENV == GL_BLEND) {
-        if (TEXTURE_HAS_COLOR) result.rgb = mix(C.rgb, texenv_color.rgb, T.rgb);
-        if (TEXTURE_HAS_ALPHA) result.a = TEXTURE_IS_INTENSITY ? mix(C.a, texenv_color.a, T.a) : C.a * T.a;
+    if (TEXENV[unit] == GL_DECAL && has_color)
+        result.rgb = has_alpha ? mix(C.rgb, T.rgb, T.a) : T.rgb;
+    if (TEXENV[unit] == GL_BLEND) {
+        if (has_color) result.rgb = mix(C.rgb, C_c.rgb, T.rgb);
+        if (has_alpha) result.a = TEXTURE_IS_INTENSITY[unit] ? mix(C.a, C_c.a, T.a) : C.a * T.a;
     }
-    if (TEXENV == GL_ADD) {
-        if (TEXTURE_HAS_COLOR) result.rgb = C.rgb + T.rgb;
-        if (TEXTURE_HAS_ALPHA) result.a = TEXTURE_IS_INTENSITY ? C.a + T.a : C.a * T.a;
+    if (TEXENV[unit] == GL_ADD) {
+        if (has_color) result.rgb = C.rgb + T.rgb;
+        if (has_alpha) result.a = TEXTURE_IS_INTENSITY[unit] ? C.a + T.a : C.a * T.a;
     }
+    if (TEXENV[unit] == GL_COMBINE) result = combine(unit, C);
     return clamp(result, 0.0, 1.0);
 }
+
+// The fragment's colour after all units, one after the other
+vec4 textured(vec4 color, vec4 coordinates[4])
+{
+    primary_color = color;
+#if TEXTURE_0
+    texels[0] = texel(texture0, 0, coordinates[0]);
+#endif
+#if TEXTURE_1
+    texels[1] = texel(texture1, 1, coordinates[1]);
+#endif
+#if TEXTURE_2
+    texels[2] = texel(texture2, 2, coordinates[2]);
+#endif
+#if TEXTURE_3
+    texels[3] = texel(texture3, 3, coordinates[3]);
+#endif
+#if TEXTURE_0
+    color = environment(0, color);
+#endif
+#if TEXTURE_1
+    color = environment(1, color);
+#endif
+#if TEXTURE_2
+    color = environment(2, color);
+#endif
+#if TEXTURE_3
+    color = environment(3, color);
+#endif
+    return color;
+}
+
+#endif

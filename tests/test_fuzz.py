@@ -16,7 +16,7 @@ from glsim.machine.commands import COMMANDS, Command
 from glsim.machine.frame import Call
 from glsim.render.native import Native
 
-SUPPORTED = [command for name, command in COMMANDS.items() if name not in gl.UNSUPPORTED]
+SUPPORTED = list(COMMANDS.values())
 ENUMS = sorted({int(getattr(gl, name)) for name in gl.__all__ if name.startswith("GL_")})
 LIKELY_NAMES = """
 GL_LIGHTING GL_LIGHT0 GL_LIGHT7 GL_DEPTH_TEST GL_FRONT GL_BACK GL_FRONT_AND_BACK GL_AMBIENT GL_DIFFUSE GL_POSITION

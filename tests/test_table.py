@@ -41,14 +41,11 @@ def test_variants_of_a_family() -> None:
     assert len(names) == 32
 
 
-def test_what_is_missing_says_so(screen: object) -> None:
-    assert "glTexImage3D" in gl.UNSUPPORTED
-    assert "glLightfv" not in gl.UNSUPPORTED
-    with pytest.raises(NotImplementedError, match=r"glAccum is not in glsim yet.*UNSUPPORTED"):
-        gl.glAccum(gl.GL_LOAD, 1.0)
-    with pytest.raises(NotImplementedError, match="GL_TEXTURE_3D"):
-        gl.glEnable(gl.GL_TEXTURE_3D)
-    gl.glDisable(gl.GL_TEXTURE_3D)
+def test_what_is_refused_says_so(screen: object) -> None:
+    with pytest.raises(gl.GLError, match="a compressed format, of which there is none"):
+        gl.glCompressedTexImage2D(gl.GL_TEXTURE_2D, 0, 0x83F0, 4, 4, 0, 8, bytes(8))
+    with pytest.raises(gl.GLError, match="colour-index mode"):
+        gl.glReadPixels(0, 0, 1, 1, gl.GL_COLOR_INDEX, gl.GL_UNSIGNED_BYTE)
 
 
 def test_star_import_gives_commands_and_constants_only() -> None:

@@ -2,8 +2,8 @@
 
 ``from glsim.gl import *`` gives the commands of OpenGL 1.0-1.5 with all their suffixes, PyOpenGL's suffix-free forms
 (glVertex, glColor, glLight, ...), the constants, and GLError.  They drive the current context, which
-``glsim.offscreen(width, height)`` makes.  Commands that are not emulated yet raise NotImplementedError and are listed
-in UNSUPPORTED.
+``glsim.offscreen(width, height)`` makes.  SUPPORT.md beside this file lists every command, and which few are accepted
+without effect or refused.
 
 Extensions (glGetString(GL_EXTENSIONS) names them):
 
@@ -20,8 +20,27 @@ from __future__ import annotations
 import ctypes
 from typing import Any
 
-from glsim.gl import arrays, attrib, enable, fragment, immediate, light, lists, matrix, query, raster, texture, vertex
-from glsim.gl.dispatch import SUFFIX_FREE, missing, suffix_free, typed_arrays, variant
+from glsim.gl import (
+    arrays,
+    attrib,
+    buffers,
+    enable,
+    evaluators,
+    fragment,
+    immediate,
+    light,
+    lists,
+    matrix,
+    pixels,
+    query,
+    raster,
+    rasterpos,
+    select,
+    texenv,
+    texture,
+    vertex,
+)
+from glsim.gl.dispatch import SUFFIX_FREE, suffix_free, typed_arrays, variant
 from glsim.machine import constants
 from glsim.machine.commands import COMMANDS
 from glsim.machine.errors import GLError
@@ -36,7 +55,10 @@ GLenum, GLbitfield, GLsizei, GLboolean = ctypes.c_uint, ctypes.c_uint, ctypes.c_
 GLclampf, GLclampd, GLvoid = ctypes.c_float, ctypes.c_double, None
 
 
-_TOPICS = (vertex, arrays, matrix, light, raster, fragment, texture, enable, attrib, lists, query)
+_TOPICS = (
+    vertex, arrays, buffers, evaluators, matrix, light, raster, rasterpos, fragment, pixels, select, texture, texenv,
+    enable, attrib, lists, query,
+)  # fmt: skip
 _BODIES = {
     name: body
     for topic in _TOPICS
@@ -50,8 +72,11 @@ def _functions() -> dict[str, Any]:
     functions: dict[str, Any] = {}
     for command in COMMANDS.values():
         hot = getattr(immediate, command.name, None)
-        body = _BODIES.get(command.name) or _BODIES.get(command.family)
-        functions[command.name] = hot or (variant(command, body) if body else missing(command))
+        if hot is not None:
+            functions[command.name] = hot
+            continue
+        body = _BODIES.get(command.name) or _BODIES[command.family]
+        functions[command.name] = variant(command, body)
     for family in SUFFIX_FREE:
         functions[family] = suffix_free(family, functions)
     functions.update(typed_arrays(functions))
@@ -60,11 +85,6 @@ def _functions() -> dict[str, Any]:
     return functions
 
 
-UNSUPPORTED = tuple(
-    name
-    for name, command in COMMANDS.items()
-    if not (hasattr(immediate, name) or name in _BODIES or command.family in _BODIES)
-)
 globals().update({name: value for name, value in vars(constants).items() if name.startswith("GL_")})
 globals().update(_functions())
 

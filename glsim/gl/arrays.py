@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.gl.arguments import array_from
+from glsim.gl.texenv import unit_number
 from glsim.machine import constants
 from glsim.machine.assembly import MINIMUM
 from glsim.machine.constants import (
@@ -25,7 +26,6 @@ from glsim.machine.constants import (
     GL_NORMAL_ARRAY,
     GL_SECONDARY_COLOR_ARRAY,
     GL_SHORT,
-    GL_TEXTURE0,
     GL_TEXTURE_COORD_ARRAY,
     GL_UNSIGNED_BYTE,
     GL_UNSIGNED_INT,
@@ -34,8 +34,9 @@ from glsim.machine.constants import (
     Enum,
 )
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
-from glsim.machine.frame import ROW, ROW_BYTES
+from glsim.machine.frame import ROW, ROW_BYTES, Draw, Vertices
 from glsim.machine.machine import Machine
+from glsim.machine.state import TEXTURE_UNITS
 from glsim.machine.types import DTYPES
 
 ARRAYS: dict[int, Enum] = {
@@ -54,6 +55,8 @@ class Pointer(NamedTuple):
     type: int = GL_FLOAT
     stride: int = 0
     data: Any = None
+    buffer: int = 0  # the buffer object that held the array, and where in it
+    offset: int = 0
 
 
 class Client(NamedTuple):
@@ -82,12 +85,27 @@ def _set_pointer(m: Machine, array: int, pointer: Pointer, sizes: tuple[int, ...
         raise invalid_enum("type", pointer.type, words)
     if pointer.stride < 0:
         raise invalid_value("stride", pointer.stride, "at least 0")
-    data = None if pointer.data is None else array_from(pointer.data, DTYPES[pointer.type], "pointer")
-    m.client[array] = client(m, array)._replace(pointer=pointer._replace(data=data))
+    if m.array_buffer:
+        pointer = pointer._replace(data=None, buffer=m.array_buffer, offset=offset_from(pointer.data))
+    elif pointer.data is not None:
+        pointer = pointer._replace(data=array_from(pointer.data, DTYPES[pointer.type], "pointer"))
+    key = array_key(m, array)
+    m.client[key] = client(m, key)._replace(pointer=pointer)
 
 
-def client(m: Machine, array: int) -> Client:
-    return m.client.get(array) or Client()
+def offset_from(value: Any) -> int:
+    """Where in a buffer object: None, a number, or as PyOpenGL wants it a ctypes.c_void_p."""
+    offset = getattr(value, "value", value)
+    return 0 if offset is None else int(offset)
+
+
+def array_key(m: Machine, array: int) -> Any:
+    """Under what a vertex array is kept: each texture unit has its own texture coordinates."""
+    return (array, m.client_unit) if array == GL_TEXTURE_COORD_ARRAY and m.client_unit else array
+
+
+def client(m: Machine, key: Any) -> Client:
+    return m.client.get(key) or Client()
 
 
 def glVertexPointer(m: Machine, size: int, type: int, stride: int, pointer: Any) -> None:
@@ -125,7 +143,8 @@ def glEdgeFlagPointer(m: Machine, stride: int, pointer: Any) -> None:
 def _set_client_state(m: Machine, array: int, enabled: bool) -> None:
     if array not in ARRAYS:
         raise invalid_enum("array", array, "GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY or another vertex array")
-    m.client[array] = client(m, array)._replace(enabled=enabled)
+    key = array_key(m, array)
+    m.client[key] = client(m, key)._replace(enabled=enabled)
 
 
 def glEnableClientState(m: Machine, array: int) -> None:
@@ -137,8 +156,7 @@ def glDisableClientState(m: Machine, array: int) -> None:
 
 
 def glClientActiveTexture(m: Machine, texture: int) -> None:
-    if texture != GL_TEXTURE0:
-        raise NotImplementedError("glClientActiveTexture: more than one texture unit is not in glsim yet")
+    m.client_unit = unit_number(texture)
 
 
 # format of glInterleavedArrays: texture coordinates, colour size and type, normal?, vertex size (table 2.5)
@@ -166,8 +184,8 @@ def glInterleavedArrays(m: Machine, format: int, stride: int, pointer: Any) -> N
     if layout is None:
         raise invalid_enum("format", format, "an interleaved format such as GL_N3F_V3F")
     texture, color, color_type, normal, vertex = layout
-    data = array_from(pointer, np.float32, "pointer").view(np.uint8)
-    offset = 0
+    data = None if m.array_buffer else array_from(pointer, np.float32, "pointer").view(np.uint8)
+    start, offset = offset_from(pointer) if m.array_buffer else 0, 0
     parts = (
         (GL_TEXTURE_COORD_ARRAY, texture, GL_FLOAT),
         (GL_COLOR_ARRAY, color, color_type),
@@ -176,11 +194,13 @@ def glInterleavedArrays(m: Machine, format: int, stride: int, pointer: Any) -> N
     )
     total = sum(_bytes(size, kind) for _, size, kind in parts)
     for array, size, kind in parts:
+        key = array_key(m, array)
         if size:
-            m.client[array] = Client(True, Pointer(size, kind, stride or total, data[offset:]))
+            memory = None if data is None else data[offset:]
+            m.client[key] = Client(True, Pointer(size, kind, stride or total, memory, m.array_buffer, start + offset))
             offset += _bytes(size, kind)
         else:
-            m.client[array] = client(m, array)._replace(enabled=False)
+            m.client[key] = client(m, key)._replace(enabled=False)
     for array in (GL_INDEX_ARRAY, GL_EDGE_FLAG_ARRAY):
         m.client[array] = client(m, array)._replace(enabled=False)
 
@@ -189,12 +209,15 @@ def _bytes(size: int, kind: int) -> int:
     return size * np.dtype(DTYPES[kind]).itemsize if size else 0
 
 
-def elements(pointer: Pointer, first: int, count: int) -> NDArray[Any]:
+def elements(m: Machine, pointer: Pointer, first: int, count: int) -> NDArray[Any]:
     """Elements ``first`` to ``first + count`` of an array, shape (count, size), as they lie in the program's memory."""
     dtype = np.dtype(DTYPES[pointer.type])
     width = pointer.size * dtype.itemsize
     stride = pointer.stride or width
-    memory = pointer.data.view(np.uint8)
+    if pointer.buffer:
+        memory: NDArray[np.uint8] = m.buffers[pointer.buffer].data[max(pointer.offset, 0) :]
+    else:
+        memory = pointer.data.view(np.uint8)
     end = (first + count - 1) * stride + width
     if first < 0 or end > memory.size:
         there = max(0, (memory.size - width) // stride + 1)
@@ -215,8 +238,9 @@ def as_colour(values: NDArray[Any]) -> NDArray[Any]:
 
 
 # client array -> column of frame.COLUMNS, components, values that fill what the array lacks
-EXTRA: dict[int, tuple[str, tuple[float, ...]]] = {
+EXTRA: dict[Any, tuple[str, tuple[float, ...]]] = {
     GL_TEXTURE_COORD_ARRAY: ("texcoord0", (0.0, 0.0, 0.0, 1.0)),
+    **{(GL_TEXTURE_COORD_ARRAY, unit): (f"texcoord{unit}", (0.0, 0.0, 0.0, 1.0)) for unit in range(1, TEXTURE_UNITS)},
     GL_SECONDARY_COLOR_ARRAY: ("secondary_color", (0.0, 0.0, 0.0, 1.0)),
     GL_FOG_COORDINATE_ARRAY: ("fog_coord", (0.0,)),
     GL_EDGE_FLAG_ARRAY: ("edge_flag", (1.0,)),
@@ -227,9 +251,9 @@ Columns = dict[str, NDArray[np.float32]]
 def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], Columns] | None:
     """Rows (count, 10) and other columns (count, width) from the enabled arrays; None without vertex array."""
     vertex = client(m, GL_VERTEX_ARRAY)
-    if not _usable(vertex):
+    if not _usable(m, vertex):
         return None
-    positions = elements(vertex.pointer, first, count)
+    positions = elements(m, vertex.pointer, first, count)
     rows = np.empty((count, ROW), np.float32)
     size = vertex.pointer.size
     rows[:, : min(size, 3)] = positions[:, :3]
@@ -237,26 +261,27 @@ def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], Col
         rows[:, 2] = 0.0
     columns = {"w": positions[:, 3:4].astype(np.float32)} if size == 4 else {}
     normal = client(m, GL_NORMAL_ARRAY)
-    rows[:, 3:6] = as_colour(elements(normal.pointer, first, count)) if _usable(normal) else (m.nx, m.ny, m.nz)
+    rows[:, 3:6] = as_colour(elements(m, normal.pointer, first, count)) if _usable(m, normal) else (m.nx, m.ny, m.nz)
     color = client(m, GL_COLOR_ARRAY)
-    if _usable(color):
-        rows[:, 6 : 6 + color.pointer.size] = as_colour(elements(color.pointer, first, count))
+    if _usable(m, color):
+        rows[:, 6 : 6 + color.pointer.size] = as_colour(elements(m, color.pointer, first, count))
         if color.pointer.size == 3:
             rows[:, 9] = 1.0
     else:
         rows[:, 6:10] = m.red, m.green, m.blue, m.alpha
     for array, (name, fill) in EXTRA.items():
         state = client(m, array)
-        if _usable(state):
-            values = elements(state.pointer, first, count)
+        if _usable(m, state):
+            values = elements(m, state.pointer, first, count)
             values = as_colour(values) if array == GL_SECONDARY_COLOR_ARRAY else values
             columns[name] = np.tile(np.array(fill, np.float32), (count, 1))
             columns[name][:, : values.shape[1]] = values
     return rows, columns
 
 
-def _usable(array: Client) -> bool:
-    return array.enabled and array.pointer.data is not None
+def _usable(m: Machine, array: Client) -> bool:
+    there = array.pointer.data is not None or m.buffers.get(array.pointer.buffer) is not None
+    return array.enabled and there
 
 
 def _check_mode(mode: int) -> None:
@@ -268,9 +293,48 @@ def glDrawArrays(m: Machine, mode: int, first: int, count: int) -> None:
     _check_mode(mode)
     if count < 0 or first < 0:
         raise invalid_value("first and count", (first, count), "at least 0")
-    found = gather(m, int(first), int(count)) if count else None
-    if found is not None:
-        m.add_draw(mode, *found, None)
+    if count:
+        _add(m, mode, int(first), int(count), None)
+
+
+def _add(m: Machine, mode: int, first: int, count: int, indices: Any) -> None:
+    """Draw elements ``first`` to ``first + count``, in the order of ``indices`` if there are any."""
+    key = _buffers_key(m, first, count)
+    if key is None:
+        found = gather(m, first, count)
+        if found is not None:
+            m.add_draw(mode, *found, indices)
+        return
+    kept = m.buffers[key[0]].vertices
+    if key not in kept:
+        found = gather(m, first, count)
+        assert found is not None
+        if len(kept) >= MOST_KEPT:
+            kept.clear()
+        current = {name: np.array([value], np.float32) for name, value in m.current.items()}
+        kept[key] = Vertices(found[0], {**current, **found[1]}, [], static=True)
+    draw = Draw(mode, 0, count, indices, m.matrices(), m.material, m.snapshot(), kept[key])
+    m.packets.append(draw)
+
+
+MOST_KEPT = 64
+
+
+def _buffers_key(m: Machine, first: int, count: int) -> tuple[Any, ...] | None:
+    """What the vertices follow from if they come from buffer objects alone: as long as it stays the same, the GPU
+    can keep them.  It begins with the buffer of the positions."""
+    vertex = m.client.get(GL_VERTEX_ARRAY)
+    if vertex is None or not vertex.enabled or m.buffers.get(vertex.pointer.buffer) is None:
+        return None
+    parts: list[Any] = [vertex.pointer.buffer, first, count]
+    for array, state in m.client.items():
+        if state.enabled:
+            buffer = m.buffers.get(state.pointer.buffer)
+            if buffer is None or buffer.mapped:
+                return None
+            parts += [array, state.pointer, buffer.version]
+    parts += [m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha, *m.current.values()]
+    return tuple(parts)
 
 
 def glMultiDrawArrays(m: Machine, mode: int, first: Any, count: Any, primcount: int) -> None:
@@ -288,16 +352,19 @@ def glDrawElements(m: Machine, mode: int, count: int, type: int, indices: Any) -
     if type not in INDEX_TYPES:
         raise invalid_enum("type", type, "GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT")
     dtype = DTYPES[type]
-    numbers: NDArray[Any] = array_from(_checked(indices, dtype), dtype, "indices").view(dtype)
+    numbers: NDArray[Any]
+    if m.element_buffer:
+        start, size = offset_from(indices), count * np.dtype(dtype).itemsize
+        numbers = np.frombuffer(m.buffers[m.element_buffer].data[start : start + size].tobytes(), dtype)
+    else:
+        numbers = array_from(_checked(indices, dtype), dtype, "indices").view(dtype)
     if numbers.size < count:
         raise ValueError(f"indices holds {numbers.size} numbers, but count is {count}")
     numbers = numbers[:count].astype(np.uint32)
     if not count:
         return
     least, most = int(numbers.min()), int(numbers.max())
-    found = gather(m, least, most - least + 1)
-    if found is not None:
-        m.add_draw(mode, *found, numbers - np.uint32(least))
+    _add(m, mode, least, most - least + 1, numbers - np.uint32(least))
 
 
 def _checked(indices: Any, dtype: type) -> Any:
@@ -328,17 +395,17 @@ def glArrayElement(m: Machine, i: int) -> None:
     if i < 0:
         raise invalid_value("i", i, "at least 0")
     normal, color = client(m, GL_NORMAL_ARRAY), client(m, GL_COLOR_ARRAY)
-    if _usable(normal):
-        m.nx, m.ny, m.nz = as_colour(elements(normal.pointer, i, 1))[0].tolist()
-    if _usable(color):
-        values = as_colour(elements(color.pointer, i, 1))[0].tolist()
+    if _usable(m, normal):
+        m.nx, m.ny, m.nz = as_colour(elements(m, normal.pointer, i, 1))[0].tolist()
+    if _usable(m, color):
+        values = as_colour(elements(m, color.pointer, i, 1))[0].tolist()
         m.red, m.green, m.blue, m.alpha = [*values, 1.0][:4]
     for array, (name, fill) in EXTRA.items():
         state = client(m, array)
-        if _usable(state):
-            given = elements(state.pointer, i, 1)[0].tolist()
+        if _usable(m, state):
+            given = elements(m, state.pointer, i, 1)[0].tolist()
             m.set_current(name, (*given, *fill[len(given) :]))
-    if _usable(client(m, GL_VERTEX_ARRAY)):
+    if _usable(m, client(m, GL_VERTEX_ARRAY)):
         if m.inside is None:
             raise invalid_operation("a vertex is only allowed between glBegin and glEnd")
         found = gather(m, i, 1)

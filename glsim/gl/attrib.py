@@ -5,25 +5,32 @@ The groups of state are immutable, so pushing is keeping references and popping 
 
 from __future__ import annotations
 
+from copy import copy
+
 from glsim.gl.enable import CAPS, SERIES, series, switch
+from glsim.gl.texture import rebind
 from glsim.machine.constants import (
+    GL_ACCUM_BUFFER_BIT,
     GL_CLIENT_PIXEL_STORE_BIT,
     GL_CLIENT_VERTEX_ARRAY_BIT,
     GL_COLOR_BUFFER_BIT,
     GL_CURRENT_BIT,
     GL_DEPTH_BUFFER_BIT,
     GL_ENABLE_BIT,
+    GL_EVAL_BIT,
     GL_FOG_BIT,
     GL_HINT_BIT,
     GL_LIGHTING_BIT,
     GL_LINE_BIT,
     GL_LIST_BIT,
     GL_MULTISAMPLE_BIT,
+    GL_PIXEL_MODE_BIT,
     GL_POINT_BIT,
     GL_POLYGON_BIT,
     GL_POLYGON_STIPPLE_BIT,
     GL_SCISSOR_BIT,
     GL_STENCIL_BUFFER_BIT,
+    GL_TEXTURE,
     GL_TEXTURE_BIT,
     GL_TRANSFORM_BIT,
     GL_VIEWPORT_BIT,
@@ -33,7 +40,7 @@ from glsim.machine.machine import ATTRIB_STACK_DEPTH, Machine
 
 # bit of glPushAttrib -> attributes of a Machine that it saves
 GROUPS: dict[int, tuple[str, ...]] = {
-    GL_CURRENT_BIT: ("nx", "ny", "nz", "red", "green", "blue", "alpha", "index", "current"),
+    GL_CURRENT_BIT: ("nx", "ny", "nz", "red", "green", "blue", "alpha", "index", "current", "raster"),
     GL_POINT_BIT: ("point",),
     GL_LINE_BIT: ("line",),
     GL_POLYGON_BIT: ("polygon",),
@@ -50,6 +57,9 @@ GROUPS: dict[int, tuple[str, ...]] = {
     GL_LIST_BIT: ("list_base",),
     GL_SCISSOR_BIT: ("scissor",),
     GL_MULTISAMPLE_BIT: ("multisample",),
+    GL_PIXEL_MODE_BIT: ("pixel",),
+    GL_EVAL_BIT: ("evaluators",),
+    GL_ACCUM_BUFFER_BIT: ("accum_clear",),
 }
 ALL_CAPS = [*CAPS, *(first + k for first, (_, _, count) in SERIES.items() for k in range(count))]
 
@@ -70,28 +80,41 @@ def glPushAttrib(m: Machine, mask: int) -> None:
     names = [name for bit, group in GROUPS.items() if mask & bit for name in group]
     saved = {name: getattr(m, name) for name in names}
     flags = {cap: _flag(m, cap) for cap in ALL_CAPS} if mask & GL_ENABLE_BIT else {}
-    m.attrib_stack.append((saved, flags))
+    units = [(unit.enabled, unit.generated) for unit in m.texture.units] if mask & GL_ENABLE_BIT else []
+    m.attrib_stack.append((saved, flags, units))
 
 
 def glPopAttrib(m: Machine) -> None:
     if not m.attrib_stack:
         raise stack_underflow("the attribute stack is empty: more glPopAttrib than glPushAttrib")
-    saved, flags = m.attrib_stack.pop()
+    saved, flags, units = m.attrib_stack.pop()
     for cap, value in flags.items():
         if _flag(m, cap) != value:
             switch(m, cap, value)
+    for number, (enabled, generated) in enumerate(units):
+        unit = m.texture.units[number]._replace(enabled=enabled, generated=generated)
+        m.texture = m.texture.with_unit(number, unit)
+    if "pixel" in saved:  # pixel maps belong to no group
+        saved["pixel"] = saved["pixel"]._replace(maps=m.pixel.maps)
     for name, value in saved.items():
         setattr(m, name, value)
+    if "texture" in saved:
+        rebind(m)
+        m.stacks[GL_TEXTURE] = m.texture_stacks[m.texture.active_unit]
     m.stack = m.stacks[m.transform.matrix_mode]
 
 
-CLIENT: dict[int, str] = {GL_CLIENT_PIXEL_STORE_BIT: "pixel_store", GL_CLIENT_VERTEX_ARRAY_BIT: "client"}
+CLIENT: dict[int, tuple[str, ...]] = {
+    GL_CLIENT_PIXEL_STORE_BIT: ("unpack_store", "pack_store"),
+    GL_CLIENT_VERTEX_ARRAY_BIT: ("client", "client_unit", "array_buffer", "element_buffer"),
+}
 
 
 def glPushClientAttrib(m: Machine, mask: int) -> None:
     if len(m.client_attrib_stack) >= ATTRIB_STACK_DEPTH:
         raise stack_overflow("the client attribute stack is full: is a glPopClientAttrib missing?")
-    m.client_attrib_stack.append({name: dict(getattr(m, name)) for bit, name in CLIENT.items() if mask & bit})
+    names = [name for bit, group in CLIENT.items() if mask & bit for name in group]
+    m.client_attrib_stack.append({name: copy(getattr(m, name)) for name in names})
 
 
 def glPopClientAttrib(m: Machine) -> None:

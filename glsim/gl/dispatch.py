@@ -137,16 +137,6 @@ def _integer_parameter(body: Function) -> Function:
     return integers
 
 
-def missing(command: Command) -> Function:
-    """A command of OpenGL 1.5 that is not there yet says so."""
-
-    def body(m: Any, *arguments: Any) -> Any:
-        raise NotImplementedError(f"{command.name} is not in glsim yet (glsim.gl.UNSUPPORTED lists what is missing)")
-
-    body.__name__ = command.name
-    return public(command, body, command.parameters, None)
-
-
 def suffix_free(family: str, functions: dict[str, Function]) -> Function:
     """PyOpenGL's glVertex, glColor, glLight, ...: the variant follows from what is passed."""
     rows = FAMILIES[family]

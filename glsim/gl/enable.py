@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from glsim.gl.arrays import ARRAYS, client
+from typing import Any
+
+from glsim.gl.arrays import ARRAYS, array_key, client
 from glsim.gl.light import set_color_material
-from glsim.machine import constants
 from glsim.machine.constants import (
     GL_ALPHA_TEST,
+    GL_AUTO_NORMAL,
     GL_BLEND,
     GL_CLIP_PLANE0,
     GL_COLOR_LOGIC_OP,
@@ -16,10 +18,13 @@ from glsim.machine.constants import (
     GL_DEPTH_TEST,
     GL_DITHER,
     GL_FOG,
+    GL_INDEX_LOGIC_OP,
     GL_LIGHT0,
     GL_LIGHTING,
     GL_LINE_SMOOTH,
     GL_LINE_STIPPLE,
+    GL_MAP1_COLOR_4,
+    GL_MAP2_COLOR_4,
     GL_MULTISAMPLE,
     GL_NORMALIZE,
     GL_POINT_SMOOTH,
@@ -36,7 +41,12 @@ from glsim.machine.constants import (
     GL_STENCIL_TEST,
     GL_TEXTURE_1D,
     GL_TEXTURE_2D,
-    Enum,
+    GL_TEXTURE_3D,
+    GL_TEXTURE_CUBE_MAP,
+    GL_TEXTURE_GEN_Q,
+    GL_TEXTURE_GEN_R,
+    GL_TEXTURE_GEN_S,
+    GL_TEXTURE_GEN_T,
 )
 from glsim.machine.errors import invalid_enum
 from glsim.machine.machine import Machine
@@ -57,8 +67,8 @@ CAPS: dict[int, tuple[str, str]] = {
     GL_POLYGON_OFFSET_FILL: ("polygon", "offset_fill"),
     GL_POLYGON_OFFSET_LINE: ("polygon", "offset_line"),
     GL_POLYGON_OFFSET_POINT: ("polygon", "offset_point"),
-    GL_TEXTURE_1D: ("texture", "enabled_1d"),
-    GL_TEXTURE_2D: ("texture", "enabled_2d"),
+    GL_AUTO_NORMAL: ("evaluators", "auto_normal"),
+    GL_INDEX_LOGIC_OP: ("color_buffer", "index_logic_op"),
     GL_FOG: ("fog", "enabled"),
     GL_COLOR_SUM: ("fog", "color_sum"),
     GL_DEPTH_TEST: ("depth", "test"),
@@ -75,51 +85,17 @@ CAPS: dict[int, tuple[str, str]] = {
 }
 # first cap of a numbered series -> (group, field holding a tuple, how many)
 SERIES: dict[int, tuple[str, str, int]] = {
+    GL_MAP1_COLOR_4: ("evaluators", "enabled_1", 9),
+    GL_MAP2_COLOR_4: ("evaluators", "enabled_2", 9),
     GL_LIGHT0: ("lighting", "light_enabled", MAX_LIGHTS),
     GL_CLIP_PLANE0: ("transform", "clip_enabled", MAX_CLIP_PLANES),
 }
-# caps of OpenGL 1.5 that come with a later version
-_LATER = """
-GL_AUTO_NORMAL GL_INDEX_LOGIC_OP GL_TEXTURE_3D GL_TEXTURE_CUBE_MAP
-GL_TEXTURE_GEN_Q GL_TEXTURE_GEN_R GL_TEXTURE_GEN_S GL_TEXTURE_GEN_T
-GL_MAP1_COLOR_4 GL_MAP1_INDEX GL_MAP1_NORMAL GL_MAP1_TEXTURE_COORD_1 GL_MAP1_TEXTURE_COORD_2 GL_MAP1_TEXTURE_COORD_3
-GL_MAP1_TEXTURE_COORD_4 GL_MAP1_VERTEX_3 GL_MAP1_VERTEX_4 GL_MAP2_COLOR_4 GL_MAP2_INDEX GL_MAP2_NORMAL
-GL_MAP2_TEXTURE_COORD_1 GL_MAP2_TEXTURE_COORD_2 GL_MAP2_TEXTURE_COORD_3 GL_MAP2_TEXTURE_COORD_4 GL_MAP2_VERTEX_3
-GL_MAP2_VERTEX_4
-"""
-LATER: dict[int, Enum] = {
-    int(getattr(constants, name)): getattr(constants, name)
-    for name in [
-        "GL_AUTO_NORMAL",
-        "GL_INDEX_LOGIC_OP",
-        "GL_MAP1_COLOR_4",
-        "GL_MAP1_INDEX",
-        "GL_MAP1_NORMAL",
-        "GL_MAP1_TEXTURE_COORD_1",
-        "GL_MAP1_TEXTURE_COORD_2",
-        "GL_MAP1_TEXTURE_COORD_3",
-        "GL_MAP1_TEXTURE_COORD_4",
-        "GL_MAP1_VERTEX_3",
-        "GL_MAP1_VERTEX_4",
-        "GL_MAP2_COLOR_4",
-        "GL_MAP2_INDEX",
-        "GL_MAP2_NORMAL",
-        "GL_MAP2_TEXTURE_COORD_1",
-        "GL_MAP2_TEXTURE_COORD_2",
-        "GL_MAP2_TEXTURE_COORD_3",
-        "GL_MAP2_TEXTURE_COORD_4",
-        "GL_MAP2_VERTEX_3",
-        "GL_MAP2_VERTEX_4",
-        "GL_TEXTURE_1D",
-        "GL_TEXTURE_2D",
-        "GL_TEXTURE_3D",
-        "GL_TEXTURE_CUBE_MAP",
-        "GL_TEXTURE_GEN_Q",
-        "GL_TEXTURE_GEN_R",
-        "GL_TEXTURE_GEN_S",
-        "GL_TEXTURE_GEN_T",
-    ]
-}
+# switches of the active texture unit -> field of TextureUnit, place in it
+UNIT_CAPS: dict[int, tuple[str, int]] = {
+    GL_TEXTURE_1D: ("enabled", 0), GL_TEXTURE_2D: ("enabled", 1), GL_TEXTURE_3D: ("enabled", 2),
+    GL_TEXTURE_CUBE_MAP: ("enabled", 3), GL_TEXTURE_GEN_S: ("generated", 0), GL_TEXTURE_GEN_T: ("generated", 1),
+    GL_TEXTURE_GEN_R: ("generated", 2), GL_TEXTURE_GEN_Q: ("generated", 3),
+}  # fmt: skip
 EXPECTED = "something that can be enabled, such as GL_LIGHTING or GL_DEPTH_TEST"
 
 
@@ -150,16 +126,22 @@ def switch(m: Machine, cap: int, value: bool) -> None:
         else:
             setattr(m, group, getattr(m, group)._replace(**{field: value}))
         return
+    if cap in UNIT_CAPS:
+        field, number = UNIT_CAPS[cap]
+        unit = m.texture.unit
+        before = getattr(unit, field)
+        changed: dict[str, Any] = {field: (*before[:number], value, *before[number + 1 :])}
+        unit = unit._replace(**changed)
+        m.texture = m.texture.with_unit(m.texture.active_unit, unit)
+        return
     numbered = series(cap)
     if numbered is not None:
         group, field, number = numbered
         flags = list(getattr(getattr(m, group), field))
         flags[number] = value
         setattr(m, group, getattr(m, group)._replace(**{field: tuple(flags)}))
-    elif cap not in LATER:
+    else:
         raise invalid_enum("cap", cap, EXPECTED)
-    elif value:
-        raise NotImplementedError(f"glEnable({LATER[cap]!r}) is not in glsim yet")
 
 
 def glIsEnabled(m: Machine, cap: int) -> int:
@@ -169,8 +151,8 @@ def glIsEnabled(m: Machine, cap: int) -> int:
     numbered = series(cap)
     if numbered is not None:
         return int(getattr(getattr(m, numbered[0]), numbered[1])[numbered[2]])
-    if cap in LATER:
-        return 0
+    if cap in UNIT_CAPS:
+        return int(getattr(m.texture.unit, UNIT_CAPS[cap][0])[UNIT_CAPS[cap][1]])
     if cap in ARRAYS:
-        return int(client(m, cap).enabled)
+        return int(client(m, array_key(m, cap)).enabled)
     raise invalid_enum("cap", cap, EXPECTED)

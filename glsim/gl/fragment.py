@@ -6,7 +6,9 @@ from typing import Any
 
 from glsim.gl.arguments import exactly, numbers, unit
 from glsim.machine.constants import (
+    GL_ACCUM,
     GL_ACCUM_BUFFER_BIT,
+    GL_ADD,
     GL_ALWAYS,
     GL_CLEAR,
     GL_COLOR_BUFFER_BIT,
@@ -41,8 +43,10 @@ from glsim.machine.constants import (
     GL_KEEP,
     GL_LINE_SMOOTH_HINT,
     GL_LINEAR,
+    GL_LOAD,
     GL_MAX,
     GL_MIN,
+    GL_MULT,
     GL_NEVER,
     GL_NICEST,
     GL_ONE,
@@ -57,6 +61,7 @@ from glsim.machine.constants import (
     GL_POINT_SMOOTH_HINT,
     GL_POLYGON_SMOOTH_HINT,
     GL_REPLACE,
+    GL_RETURN,
     GL_SET,
     GL_SRC_ALPHA,
     GL_SRC_ALPHA_SATURATE,
@@ -66,7 +71,7 @@ from glsim.machine.constants import (
     GL_ZERO,
 )
 from glsim.machine.errors import invalid_enum, invalid_value
-from glsim.machine.frame import Clear
+from glsim.machine.frame import Accum, Clear
 from glsim.machine.machine import Machine
 from glsim.machine.state import Color
 
@@ -216,7 +221,31 @@ def glClear(m: Machine, mask: int) -> None:
     known = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT
     if mask & ~known:
         raise invalid_value("mask", mask, "a sum of GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT and the like")
-    m.packets.append(Clear(int(mask), m.snapshot()))
+    m.packets.append(Clear(int(mask), m.snapshot(), m.accum_clear))
+
+
+def glClearAccum(m: Machine, r: float, g: float, b: float, a: float) -> None:
+    """Values in [-1, 1]."""
+    m.accum_clear = _signed(r), _signed(g), _signed(b), _signed(a)
+
+
+def _signed(value: float) -> float:
+    return min(max(float(value), -1.0), 1.0)
+
+
+def glAccum(m: Machine, op: int, value: float) -> None:
+    """The accumulation buffer: four float32 a pixel, so that nothing is rounded or clamped before GL_RETURN."""
+    if op not in (GL_ACCUM, GL_LOAD, GL_RETURN, GL_MULT, GL_ADD):
+        raise invalid_enum("op", op, "GL_ACCUM, GL_LOAD, GL_RETURN, GL_MULT or GL_ADD")
+    m.packets.append(Accum(int(op), float(value), m.snapshot()))
+
+
+def glClearIndex(m: Machine, index: float) -> None:
+    """Accepted; colour-index mode is not emulated."""
+
+
+def glIndexMask(m: Machine, mask: int) -> None:
+    """Accepted; colour-index mode is not emulated."""
 
 
 # ---------------------------------------------------------------- hints, flush

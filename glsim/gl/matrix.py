@@ -12,7 +12,7 @@ from glsim.machine.constants import GL_CLIP_PLANE0, GL_MODELVIEW, GL_PROJECTION,
 from glsim.machine.errors import invalid_enum, invalid_value, stack_overflow, stack_underflow
 from glsim.machine.machine import STACK_DEPTH, Machine
 from glsim.machine.matrix import Matrix
-from glsim.machine.state import MAX_CLIP_PLANES
+from glsim.machine.state import MAX_CLIP_PLANES, Color
 
 NAMES: dict[int, str] = {GL_MODELVIEW: "modelview", GL_PROJECTION: "projection", GL_TEXTURE: "texture"}
 
@@ -114,16 +114,21 @@ def glClipPlane(m: Machine, plane: int, equation: Any) -> None:
     number = plane - GL_CLIP_PLANE0
     if not 0 <= number < MAX_CLIP_PLANES:
         raise invalid_enum("plane", plane, f"GL_CLIP_PLANE0 to GL_CLIP_PLANE{MAX_CLIP_PLANES - 1}")
-    given = np.array(exactly(equation, 4, "equation"))
+    a, b, c, d = exactly(equation, 4, "equation")
+    planes = list(m.transform.clip_planes)
+    planes[number] = in_eye_space(m, (a, b, c, d))
+    m.transform = m.transform._replace(clip_planes=tuple(planes))
+
+
+def in_eye_space(m: Machine, plane: Color) -> Color:
+    """A plane of object space times the inverse of the modelview as it is now."""
     modelview = m.modelview[-1].get().T.astype(np.float64)  # rows and columns as in mathematics
     try:
-        eye = given @ np.linalg.inv(modelview)
+        eye = np.array(plane) @ np.linalg.inv(modelview)
     except np.linalg.LinAlgError:
-        eye = given
-    planes = list(m.transform.clip_planes)
+        eye = np.array(plane)
     a, b, c, d = eye.astype(np.float32).tolist()
-    planes[number] = (a, b, c, d)
-    m.transform = m.transform._replace(clip_planes=tuple(planes))
+    return a, b, c, d
 
 
 def glGetClipPlane(m: Machine, plane: int) -> Any:

@@ -1,100 +1,303 @@
-"""Reading pixel rectangles out of a program's memory: sections 3.6.1 to 3.6.4 of the specification."""
+"""Pixel rectangles: sections 3.6, 3.7 and 4.3 of the specification."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from glsim.gl.arguments import numbers
+from glsim.gl.texture import deliver
 from glsim.machine.constants import (
-    GL_ALPHA,
-    GL_BGR,
-    GL_BGRA,
-    GL_BLUE,
-    GL_GREEN,
-    GL_LUMINANCE,
-    GL_LUMINANCE_ALPHA,
-    GL_RED,
-    GL_RGB,
-    GL_RGBA,
+    GL_ALPHA_BIAS,
+    GL_ALPHA_SCALE,
+    GL_AUX0,
+    GL_BACK,
+    GL_BACK_LEFT,
+    GL_BACK_RIGHT,
+    GL_BITMAP,
+    GL_BLUE_BIAS,
+    GL_BLUE_SCALE,
+    GL_COLOR,
+    GL_COLOR_INDEX,
+    GL_DEPTH,
+    GL_DEPTH_BIAS,
+    GL_DEPTH_COMPONENT,
+    GL_DEPTH_SCALE,
+    GL_FRONT,
+    GL_FRONT_AND_BACK,
+    GL_FRONT_LEFT,
+    GL_FRONT_RIGHT,
+    GL_GREEN_BIAS,
+    GL_GREEN_SCALE,
+    GL_INDEX_OFFSET,
+    GL_INDEX_SHIFT,
+    GL_LEFT,
+    GL_MAP_COLOR,
+    GL_MAP_STENCIL,
+    GL_NONE,
+    GL_PACK_ALIGNMENT,
+    GL_PIXEL_MAP_I_TO_I,
+    GL_PIXEL_MAP_S_TO_S,
+    GL_RED_BIAS,
+    GL_RED_SCALE,
+    GL_RIGHT,
+    GL_STENCIL,
+    GL_STENCIL_INDEX,
     GL_UNPACK_ALIGNMENT,
-    GL_UNPACK_ROW_LENGTH,
-    GL_UNPACK_SKIP_PIXELS,
-    GL_UNPACK_SKIP_ROWS,
-    GL_UNPACK_SWAP_BYTES,
-    Enum,
 )
-from glsim.machine.errors import invalid_enum
+from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
+from glsim.machine.frame import Pixels
 from glsim.machine.machine import Machine
+from glsim.machine.pixels import (
+    INDEX_MAPS,
+    MAPS,
+    PACK_FIELDS,
+    UNPACK_FIELDS,
+    as_numbers,
+    check,
+    colors,
+    depths,
+    pack_colors,
+    pack_into,
+    stencils,
+    transferred,
+    unpack,
+)
 from glsim.machine.types import DTYPES
 
-# format -> which component of the memory becomes red, green, blue, alpha; -1: 0, -2: 1
-COMPONENTS: dict[int, tuple[int, tuple[int, int, int, int]]] = {
-    GL_RED: (1, (0, -1, -1, -2)),
-    GL_GREEN: (1, (-1, 0, -1, -2)),
-    GL_BLUE: (1, (-1, -1, 0, -2)),
-    GL_ALPHA: (1, (-1, -1, -1, 0)),
-    GL_LUMINANCE: (1, (0, 0, 0, -2)),
-    GL_LUMINANCE_ALPHA: (2, (0, 0, 0, 1)),
-    GL_RGB: (3, (0, 1, 2, -2)),
-    GL_BGR: (3, (2, 1, 0, -2)),
-    GL_RGBA: (4, (0, 1, 2, 3)),
-    GL_BGRA: (4, (2, 1, 0, 3)),
-}
-FORMATS = "GL_RGB, GL_RGBA, GL_LUMINANCE, GL_ALPHA, GL_BGR or another pixel format"
+LARGEST_RECTANGLE = 16384
+MAX_PIXEL_MAP_TABLE = 256
+INDEXED = (GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S, *INDEX_MAPS)  # maps whose size is a power of two
 
 
-def unpack(m: Machine, width: int, height: int, format: int, type: int, pixels: Any) -> NDArray[np.uint8]:
-    """A rectangle of pixels as (height, width, 4) uint8 red, green, blue, alpha; the first row comes first."""
-    if format not in COMPONENTS:
-        raise invalid_enum("format", format, FORMATS)
-    dtype = DTYPES.get(type)
-    if dtype is None:
-        kind = repr(type) if isinstance(type, Enum) else str(type)
-        raise NotImplementedError(f"pixels of type {kind} are not in glsim yet: use GL_UNSIGNED_BYTE or GL_FLOAT")
-    if pixels is None:
-        return np.zeros((height, width, 4), np.uint8)
-    count, order = COMPONENTS[format]
-    values = _rows(m, width, height, count, np.dtype(dtype), pixels)
-    unit = _unit(values)
-    result = np.empty((height, width, 4), np.uint8)
-    for k, source in enumerate(order):
-        result[..., k] = unit[..., source] if source >= 0 else (0 if source == -1 else 255)
-    return result
+# ---------------------------------------------------------------- how pixels lie in memory, and change on their way
 
 
-def _rows(m: Machine, width: int, height: int, count: int, dtype: np.dtype[Any], pixels: Any) -> NDArray[Any]:
-    """The components (height, width, count) as they lie in memory, by glPixelStore."""
-    if isinstance(pixels, (bytes, bytearray, memoryview)):
-        memory = np.frombuffer(pixels, np.uint8)
+def glPixelStore(m: Machine, pname: int, param: float) -> None:
+    """How pixels lie in the program's memory.  Arrays that glsim returns are tightly packed, as PyOpenGL's are."""
+    fields = UNPACK_FIELDS if pname in UNPACK_FIELDS else PACK_FIELDS
+    if pname not in fields:
+        raise invalid_enum("pname", pname, "GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH or another way to store pixels")
+    if pname in (GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT):
+        if param not in (1, 2, 4, 8):
+            raise invalid_value("param", param, "1, 2, 4 or 8")
+    elif param < 0:
+        raise invalid_value("param", param, "at least 0")
+    store = m.unpack_store if fields is UNPACK_FIELDS else m.pack_store
+    field = fields[pname]
+    kind: Any = bool if field in ("swap_bytes", "lsb_first") else int
+    store = store._replace(**{field: kind(param)})
+    if fields is UNPACK_FIELDS:
+        m.unpack_store = store
     else:
-        array = np.ascontiguousarray(pixels, None if isinstance(pixels, np.ndarray) else dtype)
-        memory = (array if array.dtype == dtype else array.astype(dtype)).reshape(-1).view(np.uint8)
-    store = m.pixel_store
-    length = store.get(GL_UNPACK_ROW_LENGTH, 0) or width
-    alignment = store.get(GL_UNPACK_ALIGNMENT, 4)
-    size = count * dtype.itemsize
-    stride = -(-length * size // alignment) * alignment
-    skip = store.get(GL_UNPACK_SKIP_ROWS, 0) * stride + store.get(GL_UNPACK_SKIP_PIXELS, 0) * size
-    if skip + stride * (height - 1) + width * size > memory.size:
-        stride = length * size  # rows without padding, as arrays have them
-    needed = skip + stride * (height - 1) + width * size
-    if needed > memory.size:
-        raise ValueError(f"{width} x {height} pixels of {count} components need {needed} bytes, not {memory.size}")
-    rows = np.ndarray((height, width * size), np.uint8, memory, skip, (stride, 1))
-    values = np.ascontiguousarray(rows).view(dtype).reshape(height, width, count)
-    return values.byteswap() if store.get(GL_UNPACK_SWAP_BYTES, 0) else values
+        m.pack_store = store
 
 
-def _unit(values: NDArray[Any]) -> NDArray[np.uint8]:
-    """Components of any type as 8-bit numbers in [0, 255] (table 2.9)."""
-    if values.dtype == np.uint8:
-        return values
-    if values.dtype.kind == "f":
-        unit = values.astype(np.float64)
-    elif values.dtype.kind == "u":
-        unit = values / (2.0 ** (8 * values.dtype.itemsize) - 1.0)
+SCALES: dict[int, int] = {GL_RED_SCALE: 0, GL_GREEN_SCALE: 1, GL_BLUE_SCALE: 2, GL_ALPHA_SCALE: 3}
+BIASES: dict[int, int] = {GL_RED_BIAS: 0, GL_GREEN_BIAS: 1, GL_BLUE_BIAS: 2, GL_ALPHA_BIAS: 3}
+TRANSFERS: dict[int, tuple[str, type]] = {
+    GL_MAP_COLOR: ("map_color", bool), GL_MAP_STENCIL: ("map_stencil", bool), GL_INDEX_SHIFT: ("index_shift", int),
+    GL_INDEX_OFFSET: ("index_offset", int), GL_DEPTH_SCALE: ("depth_scale", float),
+    GL_DEPTH_BIAS: ("depth_bias", float),
+}  # fmt: skip
+
+
+def glPixelTransfer(m: Machine, pname: int, param: float) -> None:
+    for field, places in (("scale", SCALES), ("bias", BIASES)):
+        if pname in places:
+            values = list(getattr(m.pixel, field))
+            values[places[pname]] = float(param)
+            m.pixel = m.pixel._replace(**{field: tuple(values)})  # type: ignore[arg-type]
+            return
+    if pname not in TRANSFERS:
+        raise invalid_enum("pname", pname, "GL_MAP_COLOR, GL_RED_SCALE, GL_RED_BIAS, GL_DEPTH_SCALE, ...")
+    field, kind = TRANSFERS[pname]
+    m.pixel = m.pixel._replace(**{field: kind(param)})
+
+
+def glPixelMap(m: Machine, map: int, size: int, values: Any) -> None:
+    """values: ``size`` colour components in [0, 1], or indices for GL_PIXEL_MAP_I_TO_I and S_TO_S."""
+    _check_map(map)
+    if not 1 <= size <= MAX_PIXEL_MAP_TABLE:
+        raise invalid_value("size", size, f"from 1 to {MAX_PIXEL_MAP_TABLE}")
+    if map in INDEXED and size & (size - 1):
+        raise invalid_value("size", size, "a power of two for a map from indices")
+    table = numbers(values)[:size]
+    if len(table) < size:
+        raise ValueError(f"glPixelMap: values needs {size} numbers, not {len(table)}")
+    if map not in (GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S):
+        table = tuple(min(max(value, 0.0), 1.0) for value in table)
+    at = MAPS.index(map)
+    m.pixel = m.pixel._replace(maps=(*m.pixel.maps[:at], table, *m.pixel.maps[at + 1 :]))
+
+
+def glPixelMapfv(m: Machine, map: int, size: Any, values: Any = None) -> None:
+    """glPixelMapfv(map, size, values), or in PyOpenGL's form glPixelMapfv(map, values)."""
+    _pixel_map(m, map, size, values, 1.0)
+
+
+def glPixelMapuiv(m: Machine, map: int, size: Any, values: Any = None) -> None:
+    """As glPixelMapfv; components in [0, 2^32 - 1]."""
+    _pixel_map(m, map, size, values, 4294967295.0)
+
+
+def glPixelMapusv(m: Machine, map: int, size: Any, values: Any = None) -> None:
+    """As glPixelMapfv; components in [0, 65535]."""
+    _pixel_map(m, map, size, values, 65535.0)
+
+
+def _pixel_map(m: Machine, map: int, size: Any, values: Any, one: float) -> None:
+    given = numbers(size if values is None else values)
+    if map not in (GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S):
+        given = tuple(value / one for value in given)
+    glPixelMap(m, map, len(given) if values is None else int(size), given)
+
+
+def _check_map(map: int) -> None:
+    if map not in MAPS:
+        raise invalid_enum("map", map, "a pixel map such as GL_PIXEL_MAP_R_TO_R")
+
+
+def glGetPixelMapfv(m: Machine, map: int, values: Any = None) -> Any:
+    """The table of a pixel map, as float32."""
+    return _get_pixel_map(m, map, values, 1.0, np.float32)
+
+
+def glGetPixelMapuiv(m: Machine, map: int, values: Any = None) -> Any:
+    """The table of a pixel map, as uint32; components in [0, 2^32 - 1]."""
+    return _get_pixel_map(m, map, values, 4294967295.0, np.uint32)
+
+
+def glGetPixelMapusv(m: Machine, map: int, values: Any = None) -> Any:
+    """The table of a pixel map, as uint16; components in [0, 65535]."""
+    return _get_pixel_map(m, map, values, 65535.0, np.uint16)
+
+
+def _get_pixel_map(m: Machine, map: int, values: Any, one: float, dtype: type) -> Any:
+    _check_map(map)
+    table = np.array(m.pixel.map(map), np.float64)
+    if map not in (GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S):
+        table = table * one
+    found: Any = table.astype(dtype)
+    if values is None:
+        return found
+    np.asarray(values).reshape(-1)[: len(found)] = found
+    return values
+
+
+def glPixelZoom(m: Machine, zx: float, zy: float) -> None:
+    m.pixel = m.pixel._replace(zoom=(float(zx), float(zy)))
+
+
+# ---------------------------------------------------------------- drawing
+
+
+def _check_size(width: int, height: int) -> None:
+    if width < 0 or height < 0:
+        raise invalid_value("width and height", (width, height), "at least 0")
+    if max(width, height) > LARGEST_RECTANGLE:
+        raise out_of_memory(f"a rectangle of {width} x {height} pixels is larger than any picture")
+
+
+def _add(m: Machine, kind: str, image: Any, copied: tuple[int, int, int, int] | None) -> None:
+    m.packets.append(Pixels(kind, image, copied, m.raster, m.pixel, m.snapshot()))
+
+
+def glDrawPixels(m: Machine, width: int, height: int, format: int, type: int, pixels: Any) -> None:
+    """Draw a rectangle from the program's memory with its lower left corner at the current raster position."""
+    _check_size(width, height)
+    check(format, type)
+    if format == GL_STENCIL_INDEX and type == GL_BITMAP and pixels is None:
+        raise ValueError("pixels is None: pass bytes or an array")
+    if not m.raster.valid:
+        return
+    values = unpack(m.unpack_store, (int(height), int(width)), format, type, pixels)
+    if format == GL_STENCIL_INDEX:
+        _add(m, "stencil", stencils(m.pixel, values), None)
+    elif format == GL_DEPTH_COMPONENT:
+        _add(m, "depth", depths(m.pixel, values), None)
     else:
-        unit = (2.0 * values + 1.0) / (2.0 ** (8 * values.dtype.itemsize) - 1.0)
-    return np.floor(np.clip(np.nan_to_num(unit), 0.0, 1.0) * 255.0 + 0.5).astype(np.uint8)
+        _add(m, "color", colors(m.pixel, format, values), None)
+
+
+KINDS: dict[int, str] = {GL_COLOR: "color", GL_DEPTH: "depth", GL_STENCIL: "stencil"}
+
+
+def glCopyPixels(m: Machine, x: int, y: int, width: int, height: int, type: int) -> None:
+    """Draw a rectangle of the framebuffer again at the current raster position."""
+    if type not in KINDS:
+        raise invalid_enum("type", type, "GL_COLOR, GL_DEPTH or GL_STENCIL")
+    _check_size(width, height)
+    if m.raster.valid:
+        _add(m, KINDS[type], None, (int(x), int(y), int(width), int(height)))
+
+
+def glBitmap(
+    m: Machine, width: int, height: int, xorig: float, yorig: float, xmove: float, ymove: float, bitmap: Any
+) -> None:
+    """Draw the 1 bits in the current raster colour, then move the raster position.  bitmap None only moves."""
+    _check_size(width, height)
+    raster = m.raster
+    if not raster.valid:
+        return
+    if bitmap is not None and width and height:
+        bits = unpack(m.unpack_store, (int(height), int(width)), GL_COLOR_INDEX, GL_BITMAP, bitmap)
+        at = raster._replace(x=float(np.floor(raster.x + 1e-4 - xorig)), y=float(np.floor(raster.y + 1e-4 - yorig)))
+        m.packets.append(Pixels("bitmap", bits, None, at, m.pixel, m.snapshot()))
+    m.raster = raster._replace(x=raster.x + xmove, y=raster.y + ymove)
+
+
+# ---------------------------------------------------------------- reading, and the choice of buffers
+
+# There is one colour buffer: front and back, left, are the same picture.
+BUFFERS = (GL_FRONT, GL_BACK, GL_LEFT, GL_FRONT_LEFT, GL_BACK_LEFT)
+ABSENT = (GL_RIGHT, GL_FRONT_RIGHT, GL_BACK_RIGHT, *(GL_AUX0 + k for k in range(4)))
+
+
+def _check_buffer(argument: str, buffer: int, allowed: tuple[int, ...]) -> None:
+    if buffer in ABSENT:
+        raise invalid_operation(f"there is no {buffer!r} here: no stereo and no auxiliary buffers")
+    if buffer not in allowed:
+        raise invalid_enum(argument, buffer, "GL_FRONT, GL_BACK or another buffer")
+
+
+def glDrawBuffer(m: Machine, buf: int) -> None:
+    """GL_NONE switches colours off; front and back are the same picture."""
+    _check_buffer("buf", buf, (*BUFFERS, GL_FRONT_AND_BACK, GL_NONE))
+    m.color_buffer = m.color_buffer._replace(draw_buffer=buf)
+
+
+def glReadBuffer(m: Machine, src: int) -> None:
+    """Front and back are the same picture."""
+    _check_buffer("src", src, BUFFERS)
+    m.pixel = m.pixel._replace(read_buffer=src)
+
+
+def glReadPixels(
+    m: Machine, x: int, y: int, width: int, height: int, format: int, type: int, array: Any = None,
+    outputType: Any = bytes,
+) -> Any:  # fmt: skip
+    """Pixels, bottom row first.  As PyOpenGL: bytes for GL_UNSIGNED_BYTE, else an array; or into ``array``."""
+    _check_size(width, height)
+    check(format, type)
+    if format == GL_COLOR_INDEX:
+        raise invalid_operation("colour indices can only be read in colour-index mode, which is not emulated")
+    if type == GL_BITMAP:
+        raise invalid_enum("type", type, "GL_UNSIGNED_BYTE or another number type")
+    rectangle = int(x), int(y), int(width), int(height)
+    m.flush()
+    if format == GL_DEPTH_COMPONENT:
+        values = as_numbers(depths(m.pixel, m.device.read(*rectangle, "depth")[..., None]), DTYPES[type])
+    elif format == GL_STENCIL_INDEX:
+        values = stencils(m.pixel, m.device.read(*rectangle, "stencil")[..., None]).astype(DTYPES[type])
+    else:
+        values = pack_colors(format, type, transferred(m.pixel, m.device.read(*rectangle, "color")))
+    if array is None:
+        return deliver(values, type, None, outputType)
+    view = np.asarray(array)
+    if not (view.flags.c_contiguous and view.flags.writeable) or isinstance(array, (list, tuple, bytes)):
+        raise TypeError("array must be a writable NumPy array or bytearray")
+    if values.size:
+        pack_into(m.pack_store, values, view.reshape(-1).view(np.uint8))
+    return array

@@ -7,16 +7,19 @@ from typing import Any
 
 import numpy as np
 
-from glsim.gl.arrays import ARRAYS, client
-from glsim.gl.enable import CAPS, LATER, glIsEnabled, series
+from glsim.gl.arrays import ARRAYS, array_key, client
+from glsim.gl.enable import CAPS, UNIT_CAPS, glIsEnabled, series
+from glsim.gl.evaluators import MAX_EVAL_ORDER
 from glsim.gl.fragment import HINTS
+from glsim.gl.pixels import MAX_PIXEL_MAP_TABLE
 from glsim.gl.raster import LARGEST_LINE, LARGEST_POINT
+from glsim.gl.select import MAX_NAME_STACK_DEPTH, render_mode
 from glsim.machine import constants as gl
-from glsim.machine.errors import invalid_enum, invalid_value, out_of_memory
+from glsim.machine.errors import invalid_enum
 from glsim.machine.machine import ATTRIB_STACK_DEPTH, MAX_LIST_NESTING, STACK_DEPTH, Machine
-from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS
-from glsim.machine.texture import MAX_TEXTURE_SIZE
-from glsim.machine.types import DTYPES
+from glsim.machine.pixels import MAPS, PACK_FIELDS, UNPACK_FIELDS
+from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS, TEXTURE_UNITS
+from glsim.machine.texture import MAX_3D_TEXTURE_SIZE, MAX_TEXTURE_SIZE
 
 Getter = Callable[[Machine], Any]
 
@@ -38,7 +41,7 @@ def _signed(mask: int) -> int:
 GETTERS: dict[int, Getter] = {
     gl.GL_CURRENT_COLOR: lambda m: (m.red, m.green, m.blue, m.alpha),
     gl.GL_CURRENT_NORMAL: lambda m: (m.nx, m.ny, m.nz),
-    gl.GL_CURRENT_TEXTURE_COORDS: lambda m: m.current["texcoord0"],
+    gl.GL_CURRENT_TEXTURE_COORDS: lambda m: m.current[f"texcoord{m.texture.active_unit}"],
     gl.GL_CURRENT_SECONDARY_COLOR: lambda m: m.current["secondary_color"],
     gl.GL_CURRENT_FOG_COORDINATE: lambda m: m.current["fog_coord"][0],
     gl.GL_CURRENT_INDEX: lambda m: m.index,
@@ -46,13 +49,13 @@ GETTERS: dict[int, Getter] = {
     gl.GL_MATRIX_MODE: lambda m: m.transform.matrix_mode,
     gl.GL_MODELVIEW_MATRIX: lambda m: m.modelview[-1].get(),
     gl.GL_PROJECTION_MATRIX: lambda m: m.projection[-1].get(),
-    gl.GL_TEXTURE_MATRIX: lambda m: m.texture_stack[-1].get(),
+    gl.GL_TEXTURE_MATRIX: lambda m: m.stacks[gl.GL_TEXTURE][-1].get(),
     gl.GL_TRANSPOSE_MODELVIEW_MATRIX: lambda m: m.modelview[-1].get().T,
     gl.GL_TRANSPOSE_PROJECTION_MATRIX: lambda m: m.projection[-1].get().T,
-    gl.GL_TRANSPOSE_TEXTURE_MATRIX: lambda m: m.texture_stack[-1].get().T,
+    gl.GL_TRANSPOSE_TEXTURE_MATRIX: lambda m: m.stacks[gl.GL_TEXTURE][-1].get().T,
     gl.GL_MODELVIEW_STACK_DEPTH: lambda m: len(m.modelview),
     gl.GL_PROJECTION_STACK_DEPTH: lambda m: len(m.projection),
-    gl.GL_TEXTURE_STACK_DEPTH: lambda m: len(m.texture_stack),
+    gl.GL_TEXTURE_STACK_DEPTH: lambda m: len(m.stacks[gl.GL_TEXTURE]),
     gl.GL_MAX_MODELVIEW_STACK_DEPTH: lambda m: STACK_DEPTH[gl.GL_MODELVIEW],
     gl.GL_MAX_PROJECTION_STACK_DEPTH: lambda m: STACK_DEPTH[gl.GL_PROJECTION],
     gl.GL_MAX_TEXTURE_STACK_DEPTH: lambda m: STACK_DEPTH[gl.GL_TEXTURE],
@@ -91,8 +94,57 @@ GETTERS: dict[int, Getter] = {
     gl.GL_SAMPLES: lambda m: m.device.describe().get("samples", 0),
     gl.GL_SAMPLE_BUFFERS: lambda m: int(m.device.describe().get("samples", 0) > 0),
     gl.GL_LIST_INDEX: lambda m: 0,
-    gl.GL_RENDER_MODE: lambda m: gl.GL_RENDER,
-    gl.GL_MAX_TEXTURE_UNITS: lambda m: 1,
+    gl.GL_RENDER_MODE: render_mode,
+    gl.GL_NAME_STACK_DEPTH: lambda m: len(m.selection.names) if m.selection else 0,
+    gl.GL_MAX_NAME_STACK_DEPTH: lambda m: MAX_NAME_STACK_DEPTH,
+    gl.GL_SELECTION_BUFFER_SIZE: lambda m: len(m.selection.buffer) if m.selection else 0,
+    gl.GL_FEEDBACK_BUFFER_SIZE: lambda m: len(m.feedback.buffer) if m.feedback else 0,
+    gl.GL_FEEDBACK_BUFFER_TYPE: lambda m: m.feedback.type if m.feedback else gl.GL_2D,
+    gl.GL_MAX_TEXTURE_UNITS: lambda m: TEXTURE_UNITS,
+    gl.GL_CURRENT_RASTER_POSITION: lambda m: (m.raster.x, m.raster.y, m.raster.z, m.raster.w),
+    gl.GL_CURRENT_RASTER_POSITION_VALID: lambda m: m.raster.valid,
+    gl.GL_CURRENT_RASTER_DISTANCE: lambda m: m.raster.distance,
+    gl.GL_CURRENT_RASTER_COLOR: lambda m: m.raster.color,
+    gl.GL_CURRENT_RASTER_INDEX: lambda m: 1.0,
+    gl.GL_CURRENT_RASTER_TEXTURE_COORDS: lambda m: m.raster.texcoords[m.texture.active_unit],
+    gl.GL_ZOOM_X: lambda m: m.pixel.zoom[0],
+    gl.GL_ZOOM_Y: lambda m: m.pixel.zoom[1],
+    gl.GL_MAP_COLOR: lambda m: m.pixel.map_color,
+    gl.GL_MAP_STENCIL: lambda m: m.pixel.map_stencil,
+    gl.GL_INDEX_SHIFT: lambda m: m.pixel.index_shift,
+    gl.GL_INDEX_OFFSET: lambda m: m.pixel.index_offset,
+    gl.GL_DEPTH_SCALE: lambda m: m.pixel.depth_scale,
+    gl.GL_DEPTH_BIAS: lambda m: m.pixel.depth_bias,
+    gl.GL_READ_BUFFER: lambda m: m.pixel.read_buffer,
+    gl.GL_DRAW_BUFFER: lambda m: m.color_buffer.draw_buffer,
+    gl.GL_AUX_BUFFERS: lambda m: 0,
+    gl.GL_MAX_PIXEL_MAP_TABLE: lambda m: MAX_PIXEL_MAP_TABLE,
+    gl.GL_ACCUM_CLEAR_VALUE: lambda m: m.accum_clear,
+    gl.GL_ACCUM_RED_BITS: lambda m: 32,
+    gl.GL_ACCUM_GREEN_BITS: lambda m: 32,
+    gl.GL_ACCUM_BLUE_BITS: lambda m: 32,
+    gl.GL_ACCUM_ALPHA_BITS: lambda m: 32,
+    gl.GL_INDEX_CLEAR_VALUE: lambda m: 0.0,
+    gl.GL_INDEX_WRITEMASK: lambda m: -1,
+    gl.GL_MAP1_GRID_DOMAIN: lambda m: m.evaluators.grid_1[1:],
+    gl.GL_MAP1_GRID_SEGMENTS: lambda m: m.evaluators.grid_1[0],
+    gl.GL_MAP2_GRID_DOMAIN: lambda m: (*m.evaluators.grid_2[1:3], *m.evaluators.grid_2[4:]),
+    gl.GL_MAP2_GRID_SEGMENTS: lambda m: (m.evaluators.grid_2[0], m.evaluators.grid_2[3]),
+    gl.GL_MAX_EVAL_ORDER: lambda m: MAX_EVAL_ORDER,
+    gl.GL_ARRAY_BUFFER_BINDING: lambda m: m.array_buffer,
+    gl.GL_ELEMENT_ARRAY_BUFFER_BINDING: lambda m: m.element_buffer,
+    gl.GL_TEXTURE_BINDING_3D: lambda m: m.texture.unit.names[2],
+    gl.GL_TEXTURE_BINDING_CUBE_MAP: lambda m: m.texture.unit.names[3],
+    gl.GL_MAX_3D_TEXTURE_SIZE: lambda m: MAX_3D_TEXTURE_SIZE,
+    gl.GL_MAX_CUBE_MAP_TEXTURE_SIZE: lambda m: MAX_TEXTURE_SIZE,
+    gl.GL_MAX_TEXTURE_LOD_BIAS: lambda m: 15.0,
+    gl.GL_NUM_COMPRESSED_TEXTURE_FORMATS: lambda m: 0,
+    gl.GL_COMPRESSED_TEXTURE_FORMATS: lambda m: (),
+    gl.GL_LIST_MODE: lambda m: 0,
+    gl.GL_MAX_ELEMENTS_VERTICES: lambda m: 1 << 20,
+    gl.GL_MAX_ELEMENTS_INDICES: lambda m: 1 << 20,
+    gl.GL_SMOOTH_POINT_SIZE_RANGE: lambda m: (1.0, LARGEST_POINT),
+    gl.GL_SMOOTH_LINE_WIDTH_RANGE: lambda m: (1.0, LARGEST_LINE),
     gl.GL_POLYGON_MODE: lambda m: (m.polygon.front_mode, m.polygon.back_mode),
     gl.GL_POLYGON_OFFSET_FACTOR: lambda m: m.polygon.offset_factor,
     gl.GL_POLYGON_OFFSET_UNITS: lambda m: m.polygon.offset_units,
@@ -110,11 +162,11 @@ GETTERS: dict[int, Getter] = {
     gl.GL_ALIASED_LINE_WIDTH_RANGE: lambda m: (1.0, LARGEST_LINE),
     gl.GL_LINE_STIPPLE_PATTERN: lambda m: m.line.stipple_pattern,
     gl.GL_LINE_STIPPLE_REPEAT: lambda m: m.line.stipple_factor,
-    gl.GL_TEXTURE_BINDING_1D: lambda m: m.texture.names[0],
-    gl.GL_TEXTURE_BINDING_2D: lambda m: m.texture.names[1],
+    gl.GL_TEXTURE_BINDING_1D: lambda m: m.texture.unit.names[0],
+    gl.GL_TEXTURE_BINDING_2D: lambda m: m.texture.unit.names[1],
     gl.GL_MAX_TEXTURE_SIZE: lambda m: MAX_TEXTURE_SIZE,
-    gl.GL_ACTIVE_TEXTURE: lambda m: gl.GL_TEXTURE0,
-    gl.GL_CLIENT_ACTIVE_TEXTURE: lambda m: gl.GL_TEXTURE0,
+    gl.GL_ACTIVE_TEXTURE: lambda m: gl.GL_TEXTURE0 + m.texture.active_unit,
+    gl.GL_CLIENT_ACTIVE_TEXTURE: lambda m: gl.GL_TEXTURE0 + m.client_unit,
     gl.GL_FOG_COLOR: lambda m: m.fog.color,
     gl.GL_FOG_MODE: lambda m: m.fog.mode,
     gl.GL_FOG_DENSITY: lambda m: m.fog.density,
@@ -154,6 +206,11 @@ GETTERS: dict[int, Getter] = {
 }
 
 
+# GL_PIXEL_MAP_I_TO_I_SIZE and on: the order in which the sizes of the pixel maps are numbered
+GL_MAP_SIZES = int(gl.GL_PIXEL_MAP_I_TO_I_SIZE)
+SIZED_MAPS = sorted(int(name) for name in MAPS)
+
+
 def _pointer_getter(array: int, field: str) -> Getter:
     return lambda m: getattr(client(m, array).pointer, field)
 
@@ -172,12 +229,14 @@ def _lookup(m: Machine, pname: int) -> Any:
     getter = GETTERS.get(pname)
     if getter is not None:
         return getter(m)
-    if pname in CAPS or pname in LATER or series(pname):
+    if pname in CAPS or pname in UNIT_CAPS or pname in ARRAYS or series(pname):
         return glIsEnabled(m, pname)
-    if pname in ARRAYS:
-        return client(m, pname).enabled
-    if pname in (*ALIGNMENTS, *UNPACKING, *IGNORED_IF_0):
-        return m.pixel_store.get(pname, 4 if pname in ALIGNMENTS else 0)
+    if pname in UNPACK_FIELDS:
+        return getattr(m.unpack_store, UNPACK_FIELDS[pname])
+    if pname in PACK_FIELDS:
+        return getattr(m.pack_store, PACK_FIELDS[pname])
+    if pname - GL_MAP_SIZES in range(len(SIZED_MAPS)):
+        return len(m.pixel.map(SIZED_MAPS[pname - GL_MAP_SIZES]))
     if pname in HINTS:
         return m.hints.get(pname, gl.GL_DONT_CARE)
     if any(pname == value for name, value in vars(gl).items() if name.startswith("GL_")):
@@ -231,6 +290,29 @@ def glGetDoublev(m: Machine, pname: int, params: Any = None) -> Any:
     return into(params, answer(_lookup(m, pname), "d"))
 
 
+# pname of glGetPointerv -> vertex array
+POINTERS: dict[int, int] = {
+    gl.GL_VERTEX_ARRAY_POINTER: gl.GL_VERTEX_ARRAY, gl.GL_NORMAL_ARRAY_POINTER: gl.GL_NORMAL_ARRAY,
+    gl.GL_COLOR_ARRAY_POINTER: gl.GL_COLOR_ARRAY, gl.GL_INDEX_ARRAY_POINTER: gl.GL_INDEX_ARRAY,
+    gl.GL_TEXTURE_COORD_ARRAY_POINTER: gl.GL_TEXTURE_COORD_ARRAY,
+    gl.GL_EDGE_FLAG_ARRAY_POINTER: gl.GL_EDGE_FLAG_ARRAY,
+    gl.GL_FOG_COORDINATE_ARRAY_POINTER: gl.GL_FOG_COORDINATE_ARRAY,
+    gl.GL_SECONDARY_COLOR_ARRAY_POINTER: gl.GL_SECONDARY_COLOR_ARRAY,
+}  # fmt: skip
+
+
+def glGetPointerv(m: Machine, pname: int) -> Any:
+    """The array itself, or the offset into a buffer object; None if none was given."""
+    if pname in POINTERS:
+        pointer = client(m, array_key(m, POINTERS[pname])).pointer
+        return pointer.offset if pointer.buffer else pointer.data
+    if pname == gl.GL_SELECTION_BUFFER_POINTER:
+        return m.selection.buffer if m.selection else None
+    if pname == gl.GL_FEEDBACK_BUFFER_POINTER:
+        return m.feedback.buffer if m.feedback else None
+    raise invalid_enum("pname", pname, "a pointer such as GL_VERTEX_ARRAY_POINTER")
+
+
 def glGetError(m: Machine) -> int:
     """Always GL_NO_ERROR: an error is raised by the call that causes it."""
     return int(gl.GL_NO_ERROR)
@@ -250,92 +332,3 @@ def glGetString(m: Machine, name: int) -> bytes:
     if name == gl.GL_EXTENSIONS:
         return b"GL_WIN_phong_shading GL_GLSIM_specular_lobe GL_GLSIM_back_lighting"
     raise invalid_enum("name", name, "GL_VENDOR, GL_RENDERER, GL_VERSION or GL_EXTENSIONS")
-
-
-COMPONENTS = {
-    gl.GL_RED: (0,), gl.GL_GREEN: (1,), gl.GL_BLUE: (2,), gl.GL_ALPHA: (3,),
-    gl.GL_RGB: (0, 1, 2), gl.GL_RGBA: (0, 1, 2, 3), gl.GL_BGR: (2, 1, 0), gl.GL_BGRA: (2, 1, 0, 3),
-}  # fmt: skip
-LARGEST_RECTANGLE = 16384
-ALIGNMENTS = (gl.GL_PACK_ALIGNMENT, gl.GL_UNPACK_ALIGNMENT)
-UNPACKING = (gl.GL_UNPACK_ROW_LENGTH, gl.GL_UNPACK_SKIP_ROWS, gl.GL_UNPACK_SKIP_PIXELS, gl.GL_UNPACK_SWAP_BYTES)
-IGNORED_IF_0 = (
-    gl.GL_PACK_SWAP_BYTES, gl.GL_PACK_LSB_FIRST, gl.GL_PACK_ROW_LENGTH, gl.GL_PACK_SKIP_ROWS, gl.GL_PACK_SKIP_PIXELS,
-    gl.GL_PACK_IMAGE_HEIGHT, gl.GL_PACK_SKIP_IMAGES, gl.GL_UNPACK_LSB_FIRST, gl.GL_UNPACK_IMAGE_HEIGHT,
-    gl.GL_UNPACK_SKIP_IMAGES,
-)  # fmt: skip
-
-
-def glPixelStore(m: Machine, pname: int, param: float) -> None:
-    """How pixels lie in the program's memory.  Read-back comes tightly packed, as PyOpenGL asks for."""
-    if pname in ALIGNMENTS:
-        if param not in (1, 2, 4, 8):
-            raise invalid_value("param", param, "1, 2, 4 or 8")
-    elif pname in IGNORED_IF_0:
-        if param != 0:
-            raise NotImplementedError(f"glPixelStore({pname!r}) with anything but 0 is not in glsim yet")
-    elif pname not in UNPACKING:
-        raise invalid_enum("pname", pname, "GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH or another way to store pixels")
-    elif param < 0:
-        raise invalid_value("param", param, "at least 0")
-    m.pixel_store = {**m.pixel_store, int(pname): int(param)}
-
-
-def glReadPixels(
-    m: Machine,
-    x: int,
-    y: int,
-    width: int,
-    height: int,
-    format: int,
-    type: int,
-    array: Any = None,
-    outputType: Any = bytes,
-) -> Any:
-    """Pixels, bottom row first.  As PyOpenGL: bytes for GL_UNSIGNED_BYTE, else an array; or into ``array``."""
-    if width < 0 or height < 0:
-        raise invalid_value("width and height", (width, height), "at least 0")
-    if max(width, height) > LARGEST_RECTANGLE:
-        raise out_of_memory(f"a rectangle of {width} x {height} pixels is larger than any picture")
-    dtype = DTYPES.get(type)
-    if dtype is None:
-        raise invalid_enum("type", type, "GL_UNSIGNED_BYTE, GL_FLOAT or another number type")
-    x, y, width, height = int(x), int(y), int(width), int(height)
-    m.flush()
-    if format == gl.GL_DEPTH_COMPONENT:
-        pixels = m.device.read(x, y, width, height, "depth")[..., None]
-    elif format in COMPONENTS:
-        pixels = m.device.read(x, y, width, height, "color")[..., COMPONENTS[format]]  # type: ignore[index]
-    elif format == gl.GL_STENCIL_INDEX:
-        pixels = m.device.read(x, y, width, height, "stencil")[..., None]
-        return _deliver(pixels.astype(dtype), type, array, outputType, width, height)
-    elif format in (gl.GL_COLOR_INDEX, gl.GL_LUMINANCE, gl.GL_LUMINANCE_ALPHA):
-        raise NotImplementedError(f"glReadPixels of {format!r} is not in glsim yet")
-    else:
-        raise invalid_enum("format", format, "GL_RGB, GL_RGBA or GL_DEPTH_COMPONENT")
-    return _deliver(_convert(pixels, dtype), type, array, outputType, width, height)
-
-
-def _deliver(converted: Any, type: int, array: Any, outputType: Any, width: int, height: int) -> Any:
-    """Pixels (height, width, components) in the form that PyOpenGL returns."""
-    if array is not None:
-        np.copyto(np.asarray(array).reshape(converted.shape), converted)
-        return array
-    if type == gl.GL_UNSIGNED_BYTE and outputType is bytes:
-        return converted.tobytes()
-    # PyOpenGL's shape: (width, height, components) over memory that is in rows
-    shape = (width, height, converted.shape[2]) if converted.shape[2] > 1 else (width, height)
-    return converted.reshape(shape)
-
-
-def _convert(pixels: Any, dtype: type) -> Any:
-    """Components as stored (uint8 in [0, 255], depth as float in [0, 1]) -> the type asked for (table 4.7)."""
-    if pixels.dtype == dtype:
-        return np.ascontiguousarray(pixels)
-    unit = pixels / 255.0 if pixels.dtype == np.uint8 else pixels.astype(np.float64)
-    if np.dtype(dtype).kind == "f":
-        return unit.astype(dtype)
-    bits = 8 * np.dtype(dtype).itemsize
-    if np.dtype(dtype).kind == "u":
-        return np.floor(unit * (2.0**bits - 1.0) + 0.5).astype(dtype)
-    return np.floor(((2.0**bits - 1.0) * unit - 1.0) / 2.0 + 0.5).astype(dtype)

@@ -1,23 +1,23 @@
-"""Textures: section 3.8 of the specification.  One unit, one and two dimensions."""
+"""Textures: section 3.8 of the specification; environments and texture coordinates are in texenv.py."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from glsim.gl.arguments import exactly, numbers, unit
-from glsim.gl.pixels import unpack
 from glsim.machine.constants import (
-    GL_ADD,
     GL_ALPHA,
-    GL_BLEND,
+    GL_ALWAYS,
     GL_CLAMP,
     GL_CLAMP_TO_BORDER,
     GL_CLAMP_TO_EDGE,
-    GL_COMBINE,
-    GL_DECAL,
+    GL_COMPARE_R_TO_TEXTURE,
+    GL_DEPTH_COMPONENT,
+    GL_DEPTH_TEXTURE_MODE,
     GL_GENERATE_MIPMAP,
     GL_INTENSITY,
     GL_LINEAR,
@@ -26,147 +26,272 @@ from glsim.machine.constants import (
     GL_LUMINANCE,
     GL_LUMINANCE_ALPHA,
     GL_MIRRORED_REPEAT,
-    GL_MODULATE,
     GL_NEAREST,
     GL_NEAREST_MIPMAP_LINEAR,
     GL_NEAREST_MIPMAP_NEAREST,
+    GL_NEVER,
+    GL_NONE,
+    GL_PROXY_TEXTURE_1D,
+    GL_PROXY_TEXTURE_2D,
+    GL_PROXY_TEXTURE_3D,
+    GL_PROXY_TEXTURE_CUBE_MAP,
     GL_REPEAT,
-    GL_REPLACE,
     GL_RGB,
-    GL_TEXTURE0,
     GL_TEXTURE_1D,
     GL_TEXTURE_2D,
     GL_TEXTURE_3D,
+    GL_TEXTURE_ALPHA_SIZE,
+    GL_TEXTURE_BASE_LEVEL,
+    GL_TEXTURE_BLUE_SIZE,
+    GL_TEXTURE_BORDER,
     GL_TEXTURE_BORDER_COLOR,
+    GL_TEXTURE_COMPARE_FUNC,
+    GL_TEXTURE_COMPARE_MODE,
+    GL_TEXTURE_COMPRESSED,
     GL_TEXTURE_CUBE_MAP,
-    GL_TEXTURE_ENV,
-    GL_TEXTURE_ENV_COLOR,
-    GL_TEXTURE_ENV_MODE,
+    GL_TEXTURE_CUBE_MAP_POSITIVE_X,
+    GL_TEXTURE_DEPTH,
+    GL_TEXTURE_DEPTH_SIZE,
+    GL_TEXTURE_GREEN_SIZE,
+    GL_TEXTURE_HEIGHT,
+    GL_TEXTURE_INTENSITY_SIZE,
+    GL_TEXTURE_INTERNAL_FORMAT,
+    GL_TEXTURE_LOD_BIAS,
+    GL_TEXTURE_LUMINANCE_SIZE,
     GL_TEXTURE_MAG_FILTER,
+    GL_TEXTURE_MAX_LEVEL,
+    GL_TEXTURE_MAX_LOD,
     GL_TEXTURE_MIN_FILTER,
+    GL_TEXTURE_MIN_LOD,
     GL_TEXTURE_PRIORITY,
+    GL_TEXTURE_RED_SIZE,
     GL_TEXTURE_RESIDENT,
+    GL_TEXTURE_WIDTH,
     GL_TEXTURE_WRAP_R,
     GL_TEXTURE_WRAP_S,
     GL_TEXTURE_WRAP_T,
     Enum,
 )
-from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
+from glsim.machine.errors import GLError, invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.machine import MOST_NAMES, Machine
-from glsim.machine.state import Color
-from glsim.machine.texture import BASE_FORMATS, MAX_TEXTURE_SIZE, Image, Sampler, Texture, mipmaps
+from glsim.machine.pixels import (
+    COMPONENTS,
+    as_bytes,
+    as_numbers,
+    check,
+    colors,
+    depths,
+    pack_colors,
+    transferred,
+    unpack,
+)
+from glsim.machine.texture import (
+    BASE_FORMATS,
+    CUBE,
+    MAX_3D_TEXTURE_SIZE,
+    MAX_TEXTURE_SIZE,
+    Image,
+    Images,
+    Sampler,
+    Texture,
+    mipmaps,
+)
+from glsim.machine.types import DTYPES
 
-TARGETS: dict[int, int] = {GL_TEXTURE_1D: 1, GL_TEXTURE_2D: 2}
+# what glBindTexture takes -> kind of texture
+TARGETS: dict[int, int] = {GL_TEXTURE_1D: 1, GL_TEXTURE_2D: 2, GL_TEXTURE_3D: 3, GL_TEXTURE_CUBE_MAP: CUBE}
+# what glTexImage takes -> kind of texture, face
+IMAGE_TARGETS: dict[int, tuple[int, int]] = {
+    GL_TEXTURE_1D: (1, 0), GL_TEXTURE_2D: (2, 0), GL_TEXTURE_3D: (3, 0),
+    **{GL_TEXTURE_CUBE_MAP_POSITIVE_X + face: (CUBE, face) for face in range(6)},
+}  # fmt: skip
+PROXIES: dict[int, int] = {
+    GL_PROXY_TEXTURE_1D: 1, GL_PROXY_TEXTURE_2D: 2, GL_PROXY_TEXTURE_3D: 3, GL_PROXY_TEXTURE_CUBE_MAP: CUBE,
+}  # fmt: skip
+PROXY = -1  # the name under which a proxy texture is kept
+KIND_NAMES = {1: "one-dimensional", 2: "two-dimensional", 3: "three-dimensional", CUBE: "a cube map"}
+
 WRAPS = (GL_CLAMP, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT)
 MAG_FILTERS = (GL_NEAREST, GL_LINEAR)
 MIN_FILTERS = (
     *MAG_FILTERS, GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST, GL_NEAREST_MIPMAP_LINEAR,
     GL_LINEAR_MIPMAP_LINEAR,
 )  # fmt: skip
-SAMPLER_FIELDS: dict[int, tuple[str, tuple[Enum, ...]]] = {
+CHOICES: dict[int, tuple[str, tuple[Enum, ...]]] = {
     GL_TEXTURE_MIN_FILTER: ("min_filter", MIN_FILTERS),
     GL_TEXTURE_MAG_FILTER: ("mag_filter", MAG_FILTERS),
     GL_TEXTURE_WRAP_S: ("wrap_s", WRAPS),
     GL_TEXTURE_WRAP_T: ("wrap_t", WRAPS),
+    GL_TEXTURE_WRAP_R: ("wrap_r", WRAPS),
+    GL_DEPTH_TEXTURE_MODE: ("depth_mode", (GL_LUMINANCE, GL_INTENSITY, GL_ALPHA)),
+    GL_TEXTURE_COMPARE_MODE: ("compare_mode", (GL_NONE, GL_COMPARE_R_TO_TEXTURE)),
 }
+VALUES: dict[int, str] = {
+    GL_TEXTURE_PRIORITY: "priority", GL_TEXTURE_MIN_LOD: "min_lod", GL_TEXTURE_MAX_LOD: "max_lod",
+    GL_TEXTURE_LOD_BIAS: "lod_bias", GL_TEXTURE_BASE_LEVEL: "base_level", GL_TEXTURE_MAX_LEVEL: "max_level",
+    GL_TEXTURE_COMPARE_FUNC: "compare_func", GL_GENERATE_MIPMAP: "generate_mipmap",
+}  # fmt: skip
 
 
-def _dimensions(target: int) -> int:
-    if target in (GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP):
-        raise NotImplementedError(f"{target!r} is not in glsim yet")
+def _kind(target: int) -> int:
     if target not in TARGETS:
-        raise invalid_enum("target", target, "GL_TEXTURE_1D or GL_TEXTURE_2D")
+        raise invalid_enum("target", target, " or ".join(map(repr, TARGETS)))
     return TARGETS[target]
 
 
-def _bound(m: Machine, dimensions: int) -> Texture:
-    return m.textures[m.texture.names[dimensions - 1], dimensions]
+def bound(m: Machine, kind: int) -> Texture:
+    """The texture object of this kind that the active unit is bound to."""
+    return m.textures[m.texture.unit.names[kind - 1], kind]
 
 
-def _change(m: Machine, dimensions: int, texture: Texture) -> None:
-    """The texture object that is bound becomes ``texture``."""
-    m.textures[m.texture.names[dimensions - 1], dimensions] = texture
-    bound = list(m.texture.bound)
-    bound[dimensions - 1] = texture
-    m.texture = m.texture._replace(bound=tuple(bound))
+def change(m: Machine, name: int, texture: Texture) -> None:
+    """The texture object ``name`` becomes ``texture``, in every unit where it is bound."""
+    m.textures[name, texture.kind] = texture
+    at = texture.kind - 1
+    for number, place in enumerate(m.texture.units):
+        if place.names[at] == name:
+            entries = (*place.bound[:at], texture, *place.bound[at + 1 :])
+            m.texture = m.texture.with_unit(number, place._replace(bound=entries))
 
 
-def glActiveTexture(m: Machine, texture: int) -> None:
-    if texture != GL_TEXTURE0:
-        raise NotImplementedError("glActiveTexture: more than one texture unit is not in glsim yet")
+def rebind(m: Machine) -> None:
+    """After glPopAttrib: textures keep the images they have now, and get the parameters that were saved."""
+    for number, place in enumerate(m.texture.units):
+        for saved, name in zip(place.bound, place.names, strict=True):
+            now = m.textures.get((name, saved.kind))
+            if now is None:  # deleted meanwhile
+                m.texture = m.texture.with_unit(number, _with_binding(m.texture.units[number], saved.kind, 0, m))
+            elif now is not saved:
+                change(m, name, replace(now, sampler=saved.sampler))
+
+
+def _with_binding(place: Any, kind: int, name: int, m: Machine) -> Any:
+    at = kind - 1
+    return place._replace(
+        names=(*place.names[:at], name, *place.names[at + 1 :]),
+        bound=(*place.bound[:at], m.textures[name, kind], *place.bound[at + 1 :]),
+    )
+
+
+# ---------------------------------------------------------------- names
 
 
 def glGenTextures(m: Machine, n: int, textures: Any = None) -> Any:
     """As PyOpenGL: one name for n = 1, an array of names for more; or into ``textures``."""
+    used = {number for number, _ in m.textures} | m.texture_names
+    names = new_names(n, used)
+    m.texture_names |= set(names)
+    return given_names(names, textures)
+
+
+def new_names(n: int, used: set[int]) -> list[int]:
+    """The ``n`` smallest names that are not used."""
     if n < 0:
         raise invalid_value("n", n, "at least 0")
     if n > MOST_NAMES:
-        raise out_of_memory(f"{n} textures are more than the {MOST_NAMES} that can be")
+        raise out_of_memory(f"{n} names are more than the {MOST_NAMES} that can be")
     names: list[int] = []
     name = 1
-    used = {number for number, _ in m.textures} | m.texture_names
     while len(names) < n:
         if name not in used:
             names.append(name)
         name += 1
-    m.texture_names |= set(names)
-    if textures is not None:
-        np.asarray(textures).reshape(-1)[:n] = names
-        return textures
-    return np.uint32(names[0]) if n == 1 else np.array(names, np.uint32)
+    return names
+
+
+def given_names(names: Sequence[int], array: Any) -> Any:
+    """Names as PyOpenGL returns them."""
+    if array is not None:
+        np.asarray(array).reshape(-1)[: len(names)] = names
+        return array
+    return np.uint32(names[0]) if len(names) == 1 else np.array(names, np.uint32)
+
+
+def names_from(n: Any, names: Any) -> list[int]:
+    """glDeleteTextures(n, names), or in PyOpenGL's form glDeleteTextures(names)."""
+    if names is None:
+        return [int(name) for name in numbers(n)]
+    if int(n) < 0:
+        raise invalid_value("n", n, "at least 0")
+    return [int(name) for name in numbers(names)[: int(n)]]
 
 
 def glDeleteTextures(m: Machine, n: Any, textures: Any = None) -> None:
     """glDeleteTextures(n, names), or in PyOpenGL's form glDeleteTextures(names)."""
-    given = numbers(n if textures is None else textures)
-    for name in map(int, given if textures is None else given[: int(n)]):
-        for target, dimensions in TARGETS.items():
-            if name and m.texture.names[dimensions - 1] == name:
-                glBindTexture(m, target, 0)
-            if name:
-                m.textures.pop((name, dimensions), None)
+    for name in names_from(n, textures):
+        if name <= 0:
+            continue
+        for kind in TARGETS.values():
+            for number, place in enumerate(m.texture.units):
+                if place.names[kind - 1] == name:
+                    m.texture = m.texture.with_unit(number, _with_binding(place, kind, 0, m))
+            m.textures.pop((name, kind), None)
         m.texture_names.discard(name)
 
 
 def glIsTexture(m: Machine, texture: int) -> int:
-    return int(texture != 0 and any(name == texture for name, _ in m.textures))
+    return int(texture > 0 and any(name == texture for name, _ in m.textures))
 
 
 def glBindTexture(m: Machine, target: int, texture: int) -> None:
-    dimensions, name = _dimensions(target), int(texture)
-    if name and (name, 3 - dimensions) in m.textures:
-        raise invalid_operation(f"texture {name} has {3 - dimensions} dimension(s), not {dimensions}")
-    found = m.textures.setdefault((name, dimensions), Texture(dimensions))
-    names, bound = list(m.texture.names), list(m.texture.bound)
-    names[dimensions - 1], bound[dimensions - 1] = name, found
-    m.texture = m.texture._replace(names=tuple(names), bound=tuple(bound))
+    kind, name = _kind(target), int(texture)
+    for other in TARGETS.values():
+        if name and other != kind and (name, other) in m.textures:
+            raise invalid_operation(f"texture {name} is {KIND_NAMES[other]}, not {KIND_NAMES[kind]}")
+    m.textures.setdefault((name, kind), Texture(kind))
+    m.texture = m.texture.with_unit(m.texture.active_unit, _with_binding(m.texture.unit, kind, name, m))
 
 
-def glAreTexturesResident(m: Machine, n: int, textures: Any) -> int:
-    return 1
+def glAreTexturesResident(m: Machine, n: Any, textures: Any = None, residences: Any = None) -> Any:
+    """All are.  As PyOpenGL: glAreTexturesResident(names) or (n, names), an array with one flag each."""
+    count = len(names_from(n, textures))
+    if residences is None:
+        return np.ones(count, np.uint8)
+    np.asarray(residences).reshape(-1)[:count] = 1
+    return residences
 
 
 def glPrioritizeTextures(m: Machine, n: int, textures: Any, priorities: Any) -> None:
-    """Accepted; it has no effect."""
+    """Sets GL_TEXTURE_PRIORITY, which has no effect."""
+    for name, priority in zip(names_from(n, textures), numbers(priorities), strict=False):
+        for kind in TARGETS.values():
+            texture = m.textures.get((name, kind))
+            if name and texture is not None:
+                change(m, name, replace(texture, sampler=replace(texture.sampler, priority=unit(priority))))
 
 
 # ---------------------------------------------------------------- images
 
 
-def _check_image(level: int, internalformat: int, border: int, *sizes: int) -> None:
+def _image_target(target: int, kinds: tuple[int, ...]) -> tuple[int, int]:
+    """Kind and face; a target of another dimension is an error."""
+    found = IMAGE_TARGETS.get(target)
+    if found is None or found[0] not in kinds:
+        words = [repr(name) for name, (kind, _) in IMAGE_TARGETS.items() if kind in kinds]
+        raise invalid_enum("target", target, words[0] if len(words) == 1 else f"{words[0]} or a face of a cube map")
+    return found
+
+
+def _largest(kind: int) -> int:
+    return MAX_3D_TEXTURE_SIZE if kind == 3 else MAX_TEXTURE_SIZE
+
+
+def _check_image(kind: int, level: int, internalformat: int, border: int, size: Sequence[int]) -> None:
     if internalformat not in BASE_FORMATS:
         raise invalid_value(
             "internalformat", internalformat, "1, 2, 3, 4, GL_RGB, GL_RGBA, GL_LUMINANCE, GL_ALPHA, ..."
         )
-    if level < 0:
-        raise invalid_value("level", level, "at least 0")
-    if border == 1:
-        raise NotImplementedError("textures with a border are not in glsim yet")
-    if border != 0:
+    if not 0 <= level < _largest(kind).bit_length():
+        raise invalid_value("level", level, f"from 0 to {_largest(kind).bit_length() - 1}")
+    if border not in (0, 1):
         raise invalid_value("border", border, "0 or 1")
-    for size in sizes:
-        if not 0 <= size <= MAX_TEXTURE_SIZE:
-            raise invalid_value("the size", size, f"from 0 to {MAX_TEXTURE_SIZE}")
+    for length in size:
+        if not 2 * border <= length <= _largest(kind) + 2 * border:
+            raise invalid_value("the size", length, f"from {2 * border} to {_largest(kind) + 2 * border}")
+    if kind == CUBE and size[0] != size[1]:
+        raise invalid_value("the size", tuple(size), "square for the faces of a cube map")
+    if kind in (3, CUBE) and BASE_FORMATS[internalformat] == GL_DEPTH_COMPONENT:
+        raise invalid_operation("a depth texture must have one or two dimensions")
 
 
 def in_base_format(texels: Any, base: int) -> Any:
@@ -183,99 +308,268 @@ def in_base_format(texels: Any, base: int) -> Any:
     return result
 
 
-def _set_image(m: Machine, dimensions: int, level: int, internalformat: int, texels: Any) -> None:
-    texture = _bound(m, dimensions)
-    image = Image(in_base_format(texels, BASE_FORMATS[internalformat]), internalformat)
-    images = {**texture.images, level: image}
-    if level == 0 and texture.sampler.generate_mipmap and texels.size:
-        images = mipmaps(image)
-    _change(m, dimensions, replace(texture, images=images))
+def _texels(m: Machine, internalformat: int, size: tuple[int, ...], format: int, type: int, pixels: Any) -> Any:
+    """A rectangle out of the program's memory as an image keeps it; zeros if ``pixels`` is None."""
+    check(format, type)
+    base = BASE_FORMATS[internalformat]
+    if (format == GL_DEPTH_COMPONENT) != (base == GL_DEPTH_COMPONENT):
+        raise invalid_operation("a depth texture needs format GL_DEPTH_COMPONENT, and no other texture does")
+    if base == GL_DEPTH_COMPONENT:
+        if pixels is None:
+            return np.zeros((*size, 1), np.float32)
+        return depths(m.pixel, unpack(m.unpack_store, size, format, type, pixels))
+    if format not in COMPONENTS and format not in (0x1900,):  # GL_COLOR_INDEX
+        raise invalid_enum("format", format, "a format of colours")
+    if pixels is None:
+        return np.zeros((*size, 4), np.uint8)
+    rgba = as_bytes(colors(m.pixel, format, unpack(m.unpack_store, size, format, type, pixels)))
+    return in_base_format(rgba, base)
 
 
-def glTexImage2D(
-    m: Machine, target: int, level: int, internalformat: int, width: int, height: int, border: int, format: int,
-    type: int, pixels: Any,
+def _define(m: Machine, kind: int, face: int, level: int, image: Image) -> None:
+    name = m.texture.unit.names[kind - 1]
+    texture = m.textures[name, kind]
+    images = {**texture.images.by_level, (face, level): image}
+    if texture.sampler.generate_mipmap and level == texture.sampler.base_level and 0 not in image.size:
+        images |= {(face, level + k): made for k, made in enumerate(mipmaps(image))}
+    change(m, name, replace(texture, images=Images(images)))
+
+
+def _tex_image(
+    m: Machine, kinds: tuple[int, ...], target: int, level: int, internalformat: int, border: int,
+    size: tuple[int, ...], format: int, type: int, pixels: Any,
 ) -> None:  # fmt: skip
-    dimensions = _dimensions(target)
-    if dimensions != 2:
-        raise invalid_enum("target", target, "GL_TEXTURE_2D")
-    _check_image(level, internalformat, border, width, height)
-    _set_image(m, 2, level, internalformat, unpack(m, width, height, format, type, pixels))
+    """glTexImage: ``size`` with its border, (height, width) or (depth, height, width)."""
+    if PROXIES.get(target) in kinds:
+        return _proxy(m, PROXIES[target], level, internalformat, border, size, format, type)
+    kind, face = _image_target(target, kinds)
+    _check_image(kind, level, internalformat, border, size if kind != 1 else size[1:])
+    texels = _texels(m, internalformat, size, format, type, pixels)
+    if border:  # as drivers have done for decades: the border's own texels are dropped
+        inner = slice(1, -1)
+        texels = texels[:, inner] if kind == 1 else texels[(inner,) * len(size)]
+    _define(m, kind, face, level, Image(texels, internalformat))
+    return None
+
+
+def _proxy(
+    m: Machine, kind: int, level: int, internalformat: int, border: int, size: tuple[int, ...], format: int, type: int
+) -> None:
+    """A proxy texture only answers whether the image could be."""
+    try:
+        _check_image(kind, level, internalformat, border, size if kind != 1 else size[1:])
+        check(format, type)
+        image = Image(np.broadcast_to(np.uint8(0), (*size, 4)), internalformat)
+    except GLError:
+        image = Image(np.zeros((0,) * len(size) + (4,), np.uint8), internalformat)
+    m.textures[PROXY, kind] = Texture(kind, Images({(0, level): image}))
 
 
 def glTexImage1D(
     m: Machine, target: int, level: int, internalformat: int, width: int, border: int, format: int, type: int,
     pixels: Any,
 ) -> None:  # fmt: skip
-    if _dimensions(target) != 1:
-        raise invalid_enum("target", target, "GL_TEXTURE_1D")
-    _check_image(level, internalformat, border, width)
-    _set_image(m, 1, level, internalformat, unpack(m, width, 1, format, type, pixels))
+    _tex_image(m, (1,), target, level, internalformat, border, (1, int(width)), format, type, pixels)
 
 
-def _set_part(m: Machine, dimensions: int, level: int, x: int, y: int, texels: Any) -> None:
-    texture = _bound(m, dimensions)
-    image = texture.images.get(level)
+def glTexImage2D(
+    m: Machine, target: int, level: int, internalformat: int, width: int, height: int, border: int, format: int,
+    type: int, pixels: Any,
+) -> None:  # fmt: skip
+    _tex_image(m, (2, CUBE), target, level, internalformat, border, (int(height), int(width)), format, type, pixels)
+
+
+def glTexImage3D(
+    m: Machine, target: int, level: int, internalformat: int, width: int, height: int, depth: int, border: int,
+    format: int, type: int, pixels: Any,
+) -> None:  # fmt: skip
+    size = int(depth), int(height), int(width)
+    _tex_image(m, (3,), target, level, internalformat, border, size, format, type, pixels)
+
+
+def _image(m: Machine, kind: int, face: int, level: int) -> Image:
+    image = bound(m, kind).images.get(level, face)
     if image is None:
         raise invalid_operation(f"level {level} of the texture has no image yet: call glTexImage first")
-    height, width = texels.shape[:2]
-    if x < 0 or y < 0 or x + width > image.texels.shape[1] or y + height > image.texels.shape[0]:
-        there = f"{image.texels.shape[1]} x {image.texels.shape[0]}"
-        raise invalid_value("the rectangle", (x, y, width, height), f"inside of the image of {there} texels")
+    return image
+
+
+def _place(image: Image, offset: tuple[int, ...], size: tuple[int, ...]) -> tuple[slice, ...]:
+    """The part of an image that a sub-image replaces; offset and size in the order of the array."""
+    if any(not 0 <= o <= o + n <= there for o, n, there in zip(offset, size, image.size, strict=True)):
+        there = " x ".join(map(str, reversed(image.size)))
+        raise invalid_value("the rectangle", (*offset[::-1], *size[::-1]), f"inside of the image of {there} texels")
+    return tuple(slice(o, o + n) for o, n in zip(offset, size, strict=True))
+
+
+def _replace_part(
+    m: Machine, kind: int, face: int, level: int, image: Image, place: tuple[slice, ...], texels: Any
+) -> None:
     changed = image.texels.copy()
-    changed[y : y + height, x : x + width] = in_base_format(texels, BASE_FORMATS[image.internal_format])
-    images = {**texture.images, level: Image(changed, image.internal_format)}
-    if level == 0 and texture.sampler.generate_mipmap:
-        images = mipmaps(images[0])
-    _change(m, dimensions, replace(texture, images=images))
+    changed[place] = texels
+    _define(m, kind, face, level, Image(changed, image.internal_format))
+
+
+def _tex_sub_image(
+    m: Machine, kinds: tuple[int, ...], target: int, level: int, offset: tuple[int, ...], size: tuple[int, ...],
+    format: int, type: int, pixels: Any,
+) -> None:  # fmt: skip
+    kind, face = _image_target(target, kinds)
+    if min(size) < 0:
+        raise invalid_value("the size", size[::-1], "at least 0")
+    image = _image(m, kind, face, level)
+    place = _place(image, offset, size)
+    _replace_part(m, kind, face, level, image, place, _texels(m, image.internal_format, size, format, type, pixels))
+
+
+def glTexSubImage1D(
+    m: Machine, target: int, level: int, xoffset: int, width: int, format: int, type: int, pixels: Any
+) -> None:
+    _tex_sub_image(m, (1,), target, level, (0, xoffset), (1, width), format, type, pixels)
 
 
 def glTexSubImage2D(
     m: Machine, target: int, level: int, xoffset: int, yoffset: int, width: int, height: int, format: int, type: int,
     pixels: Any,
 ) -> None:  # fmt: skip
-    if _dimensions(target) != 2:
-        raise invalid_enum("target", target, "GL_TEXTURE_2D")
-    _set_part(m, 2, level, xoffset, yoffset, unpack(m, width, height, format, type, pixels))
+    _tex_sub_image(m, (2, CUBE), target, level, (yoffset, xoffset), (height, width), format, type, pixels)
 
 
-def glTexSubImage1D(
-    m: Machine, target: int, level: int, xoffset: int, width: int, format: int, type: int, pixels: Any
-) -> None:
-    if _dimensions(target) != 1:
-        raise invalid_enum("target", target, "GL_TEXTURE_1D")
-    _set_part(m, 1, level, xoffset, 0, unpack(m, width, 1, format, type, pixels))
+def glTexSubImage3D(
+    m: Machine, target: int, level: int, xoffset: int, yoffset: int, zoffset: int, width: int, height: int, depth: int,
+    format: int, type: int, pixels: Any,
+) -> None:  # fmt: skip
+    offset, size = (zoffset, yoffset, xoffset), (depth, height, width)
+    _tex_sub_image(m, (3,), target, level, offset, size, format, type, pixels)
 
 
-def _from_framebuffer(m: Machine, x: int, y: int, width: int, height: int) -> Any:
+# ---------------------------------------------------------------- images from the framebuffer
+
+
+def _from_framebuffer(m: Machine, internalformat: int, x: int, y: int, width: int, height: int) -> Any:
     m.flush()
-    return m.device.read(x, y, width, height, "color")
+    base = BASE_FORMATS[internalformat]
+    if base == GL_DEPTH_COMPONENT:
+        return depths(m.pixel, m.device.read(x, y, width, height, "depth")[..., None])
+    rgba = as_bytes(transferred(m.pixel, m.device.read(x, y, width, height, "color")))
+    return in_base_format(rgba, base)
+
+
+def _copy_image(
+    m: Machine, kinds: tuple[int, ...], target: int, level: int, internalformat: int, border: int,
+    x: int, y: int, width: int, height: int,
+) -> None:  # fmt: skip
+    kind, face = _image_target(target, kinds)
+    if internalformat in (1, 2, 3, 4):
+        raise invalid_enum("internalformat", internalformat, "a named format such as GL_RGB")
+    _check_image(kind, level, internalformat, border, (width,) if kind == 1 else (height, width))
+    inner = border if kind != 1 else 0
+    rectangle = x + border, y + inner, width - 2 * border, height - 2 * inner
+    _define(m, kind, face, level, Image(_from_framebuffer(m, internalformat, *rectangle), internalformat))
+
+
+def glCopyTexImage1D(
+    m: Machine, target: int, level: int, internalformat: int, x: int, y: int, width: int, border: int
+) -> None:
+    _copy_image(m, (1,), target, level, internalformat, border, x, y, width, 1)
 
 
 def glCopyTexImage2D(
     m: Machine, target: int, level: int, internalformat: int, x: int, y: int, width: int, height: int, border: int
 ) -> None:
-    if _dimensions(target) != 2:
-        raise invalid_enum("target", target, "GL_TEXTURE_2D")
-    _check_image(level, internalformat, border, width, height)
-    _set_image(m, 2, level, internalformat, _from_framebuffer(m, x, y, width, height))
+    _copy_image(m, (2, CUBE), target, level, internalformat, border, x, y, width, height)
+
+
+def _copy_sub_image(
+    m: Machine, kinds: tuple[int, ...], target: int, level: int, offset: tuple[int, ...], x: int, y: int, width: int,
+    height: int,
+) -> None:  # fmt: skip
+    kind, face = _image_target(target, kinds)
+    if width < 0 or height < 0:
+        raise invalid_value("width and height", (width, height), "at least 0")
+    image = _image(m, kind, face, level)
+    place = _place(image, offset, (1, height, width) if kind == 3 else (height, width))
+    texels = _from_framebuffer(m, image.internal_format, x, y, width, height)
+    _replace_part(m, kind, face, level, image, place, texels)
+
+
+def glCopyTexSubImage1D(m: Machine, target: int, level: int, xoffset: int, x: int, y: int, width: int) -> None:
+    _copy_sub_image(m, (1,), target, level, (0, xoffset), x, y, width, 1)
 
 
 def glCopyTexSubImage2D(
     m: Machine, target: int, level: int, xoffset: int, yoffset: int, x: int, y: int, width: int, height: int
 ) -> None:
-    if _dimensions(target) != 2:
-        raise invalid_enum("target", target, "GL_TEXTURE_2D")
-    _set_part(m, 2, level, xoffset, yoffset, _from_framebuffer(m, x, y, width, height))
+    _copy_sub_image(m, (2, CUBE), target, level, (yoffset, xoffset), x, y, width, height)
 
 
-# ---------------------------------------------------------------- parameters and environment
+def glCopyTexSubImage3D(
+    m: Machine, target: int, level: int, xoffset: int, yoffset: int, zoffset: int, x: int, y: int, width: int,
+    height: int,
+) -> None:  # fmt: skip
+    _copy_sub_image(m, (3,), target, level, (zoffset, yoffset, xoffset), x, y, width, height)
+
+
+# ---------------------------------------------------------------- compressed images: OpenGL 1.5 names no format
+
+
+def _no_compressed_format(internalformat: int) -> None:
+    raise invalid_enum(
+        "internalformat", internalformat, "a compressed format, of which there is none (OpenGL 1.5 names no one)"
+    )
+
+
+def glCompressedTexImage1D(
+    m: Machine, target: int, level: int, internalformat: int, width: int, border: int, imageSize: int, data: Any
+) -> None:
+    _no_compressed_format(internalformat)
+
+
+def glCompressedTexImage2D(
+    m: Machine, target: int, level: int, internalformat: int, width: int, height: int, border: int, imageSize: int,
+    data: Any,
+) -> None:  # fmt: skip
+    _no_compressed_format(internalformat)
+
+
+def glCompressedTexImage3D(
+    m: Machine, target: int, level: int, internalformat: int, width: int, height: int, depth: int, border: int,
+    imageSize: int, data: Any,
+) -> None:  # fmt: skip
+    _no_compressed_format(internalformat)
+
+
+def glCompressedTexSubImage1D(
+    m: Machine, target: int, level: int, xoffset: int, width: int, format: int, imageSize: int, data: Any
+) -> None:
+    _no_compressed_format(format)
+
+
+def glCompressedTexSubImage2D(
+    m: Machine, target: int, level: int, xoffset: int, yoffset: int, width: int, height: int, format: int,
+    imageSize: int, data: Any,
+) -> None:  # fmt: skip
+    _no_compressed_format(format)
+
+
+def glCompressedTexSubImage3D(
+    m: Machine, target: int, level: int, xoffset: int, yoffset: int, zoffset: int, width: int, height: int, depth: int,
+    format: int, imageSize: int, data: Any,
+) -> None:  # fmt: skip
+    _no_compressed_format(format)
+
+
+def glGetCompressedTexImage(m: Machine, target: int, lod: int) -> None:
+    raise invalid_operation("no texture is compressed: read it with glGetTexImage")
+
+
+# ---------------------------------------------------------------- parameters
 
 
 def glTexParameter(m: Machine, target: int, pname: int, params: Any) -> None:
-    dimensions = _dimensions(target)
-    texture = _bound(m, dimensions)
-    _change(m, dimensions, replace(texture, sampler=_sampler(texture.sampler, pname, params)))
+    kind = _kind(target)
+    texture = bound(m, kind)
+    change(m, m.texture.unit.names[kind - 1], replace(texture, sampler=_sampler(texture.sampler, pname, params)))
 
 
 def _sampler(sampler: Sampler, pname: int, params: Any) -> Sampler:
@@ -283,59 +577,113 @@ def _sampler(sampler: Sampler, pname: int, params: Any) -> Sampler:
         r, g, b, a = map(unit, exactly(params, 4, "GL_TEXTURE_BORDER_COLOR"))
         return replace(sampler, border_color=(r, g, b, a))
     (value,) = exactly(params, 1, "this parameter")
-    if pname in SAMPLER_FIELDS:
-        field, choices = SAMPLER_FIELDS[pname]
+    if pname in CHOICES:
+        field, choices = CHOICES[pname]
         if value not in choices:
             raise invalid_enum("param", int(value), " or ".join(map(repr, choices)))
         return replace(sampler, **{field: int(value)})  # type: ignore[arg-type]
-    if pname == GL_TEXTURE_WRAP_R:
-        return sampler
-    if pname == GL_TEXTURE_PRIORITY:
-        return replace(sampler, priority=unit(value))
-    if pname == GL_GENERATE_MIPMAP:
-        return replace(sampler, generate_mipmap=value != 0.0)
-    raise invalid_enum("pname", pname, "a texture parameter such as GL_TEXTURE_MIN_FILTER or GL_TEXTURE_WRAP_S")
+    if pname not in VALUES:
+        raise invalid_enum("pname", pname, "a texture parameter such as GL_TEXTURE_MIN_FILTER or GL_TEXTURE_WRAP_S")
+    if pname == GL_TEXTURE_COMPARE_FUNC and not GL_NEVER <= value <= GL_ALWAYS:
+        raise invalid_enum("param", int(value), "a comparison such as GL_LEQUAL")
+    if pname in (GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL) and value < 0:
+        raise invalid_value("param", value, "at least 0")
+    kind: Any = type(getattr(sampler, VALUES[pname]))
+    changes: dict[str, Any] = {VALUES[pname]: unit(value) if pname == GL_TEXTURE_PRIORITY else kind(value)}
+    return replace(sampler, **changes)
 
 
 def glGetTexParameter(m: Machine, target: int, pname: int) -> tuple[float, ...]:
-    sampler = _bound(m, _dimensions(target)).sampler
-    if pname in SAMPLER_FIELDS:
-        return (float(getattr(sampler, SAMPLER_FIELDS[pname][0])),)
+    sampler = bound(m, _kind(target)).sampler
     if pname == GL_TEXTURE_BORDER_COLOR:
         return sampler.border_color
-    if pname in (GL_TEXTURE_PRIORITY, GL_GENERATE_MIPMAP):
-        return (float(sampler.priority if pname == GL_TEXTURE_PRIORITY else sampler.generate_mipmap),)
     if pname == GL_TEXTURE_RESIDENT:
         return (1.0,)
-    raise invalid_enum("pname", pname, "a texture parameter such as GL_TEXTURE_MIN_FILTER")
+    field = CHOICES[pname][0] if pname in CHOICES else VALUES.get(pname)
+    if field is None:
+        raise invalid_enum("pname", pname, "a texture parameter such as GL_TEXTURE_MIN_FILTER")
+    return (float(getattr(sampler, field)),)
 
 
-ENVIRONMENTS = (GL_MODULATE, GL_DECAL, GL_BLEND, GL_REPLACE, GL_ADD)
+# ---------------------------------------------------------------- read-back
 
 
-def glTexEnv(m: Machine, target: int, pname: int, params: Any) -> None:
-    if target != GL_TEXTURE_ENV:
-        raise invalid_enum("target", target, "GL_TEXTURE_ENV")
-    if pname == GL_TEXTURE_ENV_MODE:
-        (mode,) = exactly(params, 1, "GL_TEXTURE_ENV_MODE")
-        if mode == GL_COMBINE:
-            raise NotImplementedError("glTexEnv with GL_COMBINE is not in glsim yet")
-        if mode not in ENVIRONMENTS:
-            raise invalid_enum("param", int(mode), "GL_MODULATE, GL_DECAL, GL_BLEND, GL_REPLACE or GL_ADD")
-        m.texture = m.texture._replace(environment=int(mode))
-    elif pname == GL_TEXTURE_ENV_COLOR:
-        r, g, b, a = map(unit, exactly(params, 4, "GL_TEXTURE_ENV_COLOR"))
-        color: Color = (r, g, b, a)
-        m.texture = m.texture._replace(environment_color=color)
+def _level(m: Machine, target: int, level: int) -> tuple[int, Image | None]:
+    """Kind and image of a level for glGetTex..., which take faces and proxies too."""
+    if target in PROXIES:
+        kind, face = PROXIES[target], 0
+        texture = m.textures.get((PROXY, kind), Texture(kind))
     else:
-        raise NotImplementedError("glTexEnv with this parameter is not in glsim yet")
+        kind, face = _image_target(target, (1, 2, 3, CUBE))
+        texture = bound(m, kind)
+    if not 0 <= level < _largest(kind).bit_length():
+        raise invalid_value("level", level, f"from 0 to {_largest(kind).bit_length() - 1}")
+    return kind, texture.images.get(level, face)
 
 
-def glGetTexEnv(m: Machine, env: int, pname: int) -> tuple[float, ...]:
-    if env != GL_TEXTURE_ENV:
-        raise invalid_enum("env", env, "GL_TEXTURE_ENV")
-    if pname == GL_TEXTURE_ENV_MODE:
-        return (float(m.texture.environment),)
-    if pname == GL_TEXTURE_ENV_COLOR:
-        return m.texture.environment_color
-    raise invalid_enum("pname", pname, "GL_TEXTURE_ENV_MODE or GL_TEXTURE_ENV_COLOR")
+# component sizes -> base formats that have the component
+SIZES: dict[int, str] = {
+    GL_TEXTURE_RED_SIZE: "GL_RGB GL_RGBA",
+    GL_TEXTURE_GREEN_SIZE: "GL_RGB GL_RGBA",
+    GL_TEXTURE_BLUE_SIZE: "GL_RGB GL_RGBA",
+    GL_TEXTURE_ALPHA_SIZE: "GL_RGBA GL_ALPHA GL_LUMINANCE_ALPHA",
+    GL_TEXTURE_LUMINANCE_SIZE: "GL_LUMINANCE GL_LUMINANCE_ALPHA",
+    GL_TEXTURE_INTENSITY_SIZE: "GL_INTENSITY",
+}
+
+
+def glGetTexLevelParameter(m: Machine, target: int, level: int, pname: int) -> tuple[float, ...]:
+    kind, image = _level(m, target, level)
+    size = image.size if image is not None else (0, 0, 0)
+    if pname == GL_TEXTURE_WIDTH:
+        return (size[-1],)
+    if pname == GL_TEXTURE_HEIGHT:
+        return (size[-2],)
+    if pname == GL_TEXTURE_DEPTH:
+        return (size[0] if kind == 3 else int(0 not in size),)
+    if pname == GL_TEXTURE_INTERNAL_FORMAT:
+        return (image.internal_format if image is not None else 1,)
+    if pname in (GL_TEXTURE_BORDER, GL_TEXTURE_COMPRESSED):
+        return (0,)
+    if pname == GL_TEXTURE_DEPTH_SIZE:
+        return (24 if image is not None and image.base_format == GL_DEPTH_COMPONENT else 0,)
+    if pname in SIZES:
+        has = image is not None and repr(image.base_format) in SIZES[pname].split()
+        return (8 if has else 0,)
+    raise invalid_enum("pname", pname, "a parameter of an image such as GL_TEXTURE_WIDTH")
+
+
+def glGetTexImage(
+    m: Machine, target: int, level: int, format: int, type: int, array: Any = None, outputType: Any = bytes
+) -> Any:
+    """Texels of the bound texture.  As PyOpenGL: bytes for GL_UNSIGNED_BYTE, else an array; or into ``array``."""
+    check(format, type)
+    kind, image = _level(m, target, level)
+    if image is None:
+        raise invalid_operation(f"level {level} of the texture has no image")
+    if (format == GL_DEPTH_COMPONENT) != (image.base_format == GL_DEPTH_COMPONENT):
+        raise invalid_operation("only a depth texture is read as GL_DEPTH_COMPONENT")
+    if format == GL_DEPTH_COMPONENT:
+        values = as_numbers(image.texels, DTYPES[type])
+    elif format not in COMPONENTS:
+        raise invalid_enum("format", format, "a format of colours")
+    else:
+        texels = image.texels.copy()
+        if image.base_format in (GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY):  # table 6.1: in red alone
+            texels[..., 1:3] = 0
+        if image.base_format == GL_INTENSITY:
+            texels[..., 3] = 255
+        values = pack_colors(format, type, transferred(m.pixel, texels))
+    size = image.size[1:] if kind == 1 else image.size
+    return deliver(values.reshape(*size, values.shape[-1]), type, array, outputType)
+
+
+def deliver(values: Any, type: int, array: Any, outputType: Any) -> Any:
+    """Pixels ([depth,] [height,] width, components) in the form that PyOpenGL returns: width first."""
+    if array is not None:
+        np.copyto(np.asarray(array).reshape(values.shape), values)
+        return array
+    if values.dtype == np.uint8 and outputType is bytes:
+        return values.tobytes()
+    size = values.shape[-2::-1]
+    return values.reshape((*size, values.shape[-1]) if values.shape[-1] > 1 else size)

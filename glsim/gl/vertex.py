@@ -6,8 +6,8 @@ from glsim.gl.immediate import row
 from glsim.machine.assembly import MINIMUM
 from glsim.machine.constants import GL_POLYGON, GL_TEXTURE0
 from glsim.machine.errors import invalid_enum, invalid_operation
-from glsim.machine.frame import TEXTURE_UNITS
 from glsim.machine.machine import Machine
+from glsim.machine.state import TEXTURE_UNITS
 
 
 def glBegin(m: Machine, mode: int) -> None:

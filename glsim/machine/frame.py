@@ -16,17 +16,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.matrix import Matrix
-from glsim.machine.state import Color, Material, Snapshot
+from glsim.machine.pixels import PixelMode
+from glsim.machine.state import Color, Material, RasterPosition, Snapshot
 
 # One vertex: position x y z, normal nx ny nz, colour r g b a, as float32.
 ROW = 10
 ROW_BYTES = 4 * ROW
 
 
-TEXTURE_UNITS = 4
-
-
-Matrices = tuple[Matrix, Matrix, Matrix]
+# modelview, projection, texture; then the texture matrices of the other units if a program ever set one
+Matrices = tuple[Matrix, ...]
 
 
 class Vertices:
@@ -67,8 +66,7 @@ class Draw:
     """One glBegin/glEnd, glRect, glDrawArrays or glDrawElements.
 
     Vertices ``first`` to ``first + count`` of ``vertices``, taken in the order of ``indices`` (relative to ``first``)
-    if there are any, make primitives of ``mode``.  ``matrices`` are the modelview, the projection and the
-    texture matrix.
+    if there are any, make primitives of ``mode``.  ``matrices``: see Matrices.
     """
 
     __slots__ = ("color", "count", "first", "indices", "material", "matrices", "mode", "state", "vertices")
@@ -103,6 +101,13 @@ class Draw:
         begin, end = (bisect_left(changes, at, key=itemgetter(0)) for at in (self.first, self.first + self.count))
         return list(dict(changes[begin:end]).items())
 
+    def materials_at(self, chosen: NDArray[Any]) -> list[Material]:
+        """The material at each of some vertices (numbers in the block)."""
+        changes = self.material_changes()
+        materials = [self.material, *(material for _, material in changes)]
+        firsts = np.array([vertex for vertex, _ in changes])
+        return [materials[k] for k in np.searchsorted(firsts, chosen, side="right")]
+
     @property
     def block(self) -> Vertices:
         """The vertices; they are there once the frame was flushed."""
@@ -111,13 +116,54 @@ class Draw:
 
 
 class Clear(NamedTuple):
-    """One glClear."""
+    """One glClear; accum: the value for the accumulation buffer."""
 
     mask: int
     state: Snapshot
+    accum: Color = (0.0, 0.0, 0.0, 0.0)
 
 
-Packet = Draw | Clear
+class Pixels(NamedTuple):
+    """One glDrawPixels, glCopyPixels or glBitmap.
+
+    kind: "color", "depth", "stencil" or "bitmap".  image: (height, width, 4) colours, uint8 or in [0, 1]; (height,
+    width, 1) float32 depths; (height, width, 1) uint8 stencil values or bits.  copied: instead of an image, the
+    rectangle of the framebuffer (x, y, width, height) that is read when the packet is drawn.  raster: where it goes.
+    """
+
+    kind: str
+    image: NDArray[Any] | None
+    copied: tuple[int, int, int, int] | None
+    raster: RasterPosition
+    mode: PixelMode
+    state: Snapshot
+
+
+class Accum(NamedTuple):
+    """One glAccum."""
+
+    operation: int
+    value: float
+    state: Snapshot
+
+
+class QueryMark(NamedTuple):
+    """glBeginQuery or glEndQuery around some packets; query: where the number of samples will be."""
+
+    begin: bool
+    query: Query
+
+
+class Query:
+    """An occlusion query: result is None until the device has drawn what it counts."""
+
+    __slots__ = ("__weakref__", "result")
+
+    def __init__(self) -> None:
+        self.result: int | None = None
+
+
+Packet = Draw | Clear | Pixels | Accum | QueryMark
 
 
 class Call(NamedTuple):

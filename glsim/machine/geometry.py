@@ -55,9 +55,7 @@ class Geometry:
         """Draw with the machine's present state, and leave the current values that the list sets."""
         state, matrices = m.snapshot(), m.matrices()
         filled = state.polygon.front_mode == state.polygon.back_mode == GL_FILL
-        vertices = self._resolved(
-            m, not filled or state.fog.color_sum or state.fog.enabled or state.texture.active is not None
-        )
+        vertices = self._resolved(m, not filled or state.fog.color_sum or state.fog.enabled or state.texture.in_use)
         color = (m.red, m.green, m.blue, m.alpha) if self.color_is_callers else None
         if filled and not state.line.stipple:
             parts: list[Any] = [(mode, 0, len(vertices.rows), indices) for mode, indices in self._assembled()]

@@ -15,11 +15,15 @@ from numpy.typing import NDArray
 
 from glsim.machine.constants import GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE
 from glsim.machine.errors import invalid_operation
-from glsim.machine.frame import ROW, ROW_BYTES, TEXTURE_UNITS, Draw, Frame, Matrices, Packet, Vertices
+from glsim.machine.frame import ROW, ROW_BYTES, Draw, Frame, Matrices, Packet, Vertices
 from glsim.machine.matrix import Matrix, identity
+from glsim.machine.pixels import PixelMode, PixelStore
 from glsim.machine.state import (
+    TEXTURE_UNITS,
+    Color,
     ColorBuffer,
     Depth,
+    Evaluators,
     Fog,
     Lighting,
     Line,
@@ -28,10 +32,11 @@ from glsim.machine.state import (
     Point,
     Polygon,
     PolygonStipple,
+    RasterPosition,
     Scissor,
     Snapshot,
     Stencil,
-    TextureUnit,
+    Texturing,
     Transform,
     Viewport,
     take_groups,
@@ -91,10 +96,12 @@ class Machine:
 
     __slots__ = (  # noqa: RUF023
         # registers: current values, vertices since the last flush, what is going on
-        "alpha", "attrib_stack", "begin_material", "blue", "busy", "capturing", "client", "client_attrib_stack",
-        "columns", "compiling", "device", "first", "green", "hints", "index", "inside", "list_base", "lists",
-        "materials", "modelview", "nesting", "nx", "ny", "nz", "packets", "pixel_store", "projection", "recorder",
-        "red", "stack", "stacks", "stream", "texcoord", "texture_names", "texture_stack", "textures", "tracks", "write",
+        "accum_clear", "alpha", "array_buffer", "attrib_stack", "begin_material", "blue", "buffers", "busy",
+        "capturing", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling", "device",
+        "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "list_base", "lists",
+        "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store", "packets", "pixel", "projection",
+        "queries", "raster", "recorder", "red", "selection", "several_texture_matrices", "stack", "stacks", "stream",
+        "texcoord", "texture_names", "texture_stacks", "textures", "tracks", "unpack_store", "write",
         "__weakref__",
         # groups of state
         "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",
@@ -122,8 +129,8 @@ class Machine:
         self.line = Line()
         self.polygon = Polygon()
         self.polygon_stipple = PolygonStipple()
-        self.texture = TextureUnit()
-        self.textures = {(0, texture.dimensions): texture for texture in self.texture.bound}
+        self.texture = Texturing()
+        self.textures = {(0, texture.kind): texture for texture in self.texture.unit.bound}
         self.texture_names: set[int] = set()  # by glGenTextures
         self.fog = Fog()
         self.depth = Depth()
@@ -133,8 +140,21 @@ class Machine:
         self.multisample = Multisample()
         self.material = Material()
         self.hints: dict[int, int] = {}
-        self.pixel_store: dict[int, int] = {}
-        self.client: dict[Any, Any] = {}
+        self.raster = RasterPosition()
+        self.pixel = PixelMode()
+        self.unpack_store, self.pack_store = PixelStore(), PixelStore()
+        self.accum_clear: Color = (0.0, 0.0, 0.0, 0.0)
+        self.evaluators = Evaluators()
+        self.maps: dict[int, Any] = {}
+        self.client: dict[Any, Any] = {}  # vertex arrays
+        self.client_unit = 0
+        self.buffers: dict[int, Any] = {}
+        self.array_buffer = self.element_buffer = 0
+        self.queries: dict[int, Any] = {}
+        # what takes packets instead of the device: glRenderMode(GL_SELECT) and GL_FEEDBACK
+        self.collector: Callable[[list[Packet]], None] | None = None
+        self.selection: Any = None
+        self.feedback: Any = None
         self.attrib_stack: list[Any] = []
         self.client_attrib_stack: list[Any] = []
         self.lists: dict[int, Any] = {}
@@ -142,11 +162,13 @@ class Machine:
         self.compiling: Any = None  # the ListRecorder between glNewList and glEndList
         self.nesting = 0  # lists that are being called
         # matrices
-        self.modelview, self.projection, self.texture_stack = [identity()], [identity()], [identity()]
+        self.modelview, self.projection = [identity()], [identity()]
+        self.texture_stacks = [[identity()] for _ in range(TEXTURE_UNITS)]
+        self.several_texture_matrices = False  # whether a program ever chose the matrix of another unit
         self.stacks: dict[int, list[Matrix]] = {
             GL_MODELVIEW: self.modelview,
             GL_PROJECTION: self.projection,
-            GL_TEXTURE: self.texture_stack,
+            GL_TEXTURE: self.texture_stacks[0],  # of the active unit
         }
         self.stack = self.modelview
         # vertices and packets since the last flush
@@ -219,7 +241,9 @@ class Machine:
 
     def matrices(self) -> Matrices:
         """What a Draw made now is transformed with."""
-        return self.modelview[-1], self.projection[-1], self.texture_stack[-1]
+        first, *others = self.texture_stacks
+        usual = self.modelview[-1], self.projection[-1], first[-1]
+        return (*usual, *(stack[-1] for stack in others)) if self.several_texture_matrices else usual
 
     def snapshot(self) -> Snapshot:
         return Snapshot._make(take_groups(self))
@@ -235,6 +259,9 @@ class Machine:
         for packet in packets:
             if type(packet) is Draw and packet.vertices is None:
                 packet.vertices = vertices
+        if self.collector is not None:
+            self.collector(packets)
+            return
         if self.capturing is not None:
             self.capturing.packets += packets
         self.device.execute(packets)

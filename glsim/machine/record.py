@@ -76,7 +76,7 @@ def copied(client: dict[Any, Any]) -> dict[Any, Any]:
     """Client state whose enabled arrays the program cannot change any more."""
 
     def keep(state: Any) -> Any:
-        if not state.enabled or state.pointer.data is None:
+        if not state.enabled or state.pointer.data is None:  # buffer objects: see Client
             return state
         return state._replace(pointer=state.pointer._replace(data=np.array(state.pointer.data)))
 

@@ -19,10 +19,13 @@ from glsim.machine.constants import (
     GL_BLINN_TORRANCE_GLSIM,
     GL_CCW,
     GL_CLAMP_NORMAL_GLSIM,
+    GL_CONSTANT,
     GL_COPY,
     GL_EXP,
+    GL_EYE_LINEAR,
     GL_FILL,
     GL_FRAGMENT_DEPTH,
+    GL_FRONT,
     GL_FRONT_AND_BACK,
     GL_FUNC_ADD,
     GL_KEEP,
@@ -30,8 +33,12 @@ from glsim.machine.constants import (
     GL_MODELVIEW,
     GL_MODULATE,
     GL_ONE,
+    GL_PREVIOUS,
     GL_SINGLE_COLOR,
     GL_SMOOTH,
+    GL_SRC_ALPHA,
+    GL_SRC_COLOR,
+    GL_TEXTURE,
     GL_ZERO,
 )
 from glsim.machine.texture import Texture
@@ -41,6 +48,7 @@ BLACK: Color = (0.0, 0.0, 0.0, 1.0)
 WHITE: Color = (1.0, 1.0, 1.0, 1.0)
 
 MAX_LIGHTS = 8
+TEXTURE_UNITS = 4
 MAX_CLIP_PLANES = 6
 
 
@@ -157,21 +165,71 @@ class PolygonStipple(NamedTuple):
     rows: tuple[int, ...] = (0xFFFFFFFF,) * 32
 
 
-class TextureUnit(NamedTuple):
-    """Group GL_TEXTURE_BIT: names and textures that are bound, of one and of two dimensions, and the environment."""
+class Combine(NamedTuple):
+    """GL_COMBINE of a texture unit: functions, and the sources, operands and scales of their arguments."""
 
-    enabled_1d: bool = False
-    enabled_2d: bool = False
-    names: tuple[int, ...] = (0, 0)
-    bound: tuple[Texture, ...] = (Texture(1), Texture(2))
+    rgb: int = GL_MODULATE
+    alpha: int = GL_MODULATE
+    source_rgb: tuple[int, int, int] = (GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT)
+    source_alpha: tuple[int, int, int] = (GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT)
+    operand_rgb: tuple[int, int, int] = (GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA)
+    operand_alpha: tuple[int, int, int] = (GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA)
+    scale_rgb: float = 1.0
+    scale_alpha: float = 1.0
+
+
+class TexGen(NamedTuple):
+    """Generation of one texture coordinate; the eye plane is in eye space, as glTexGen found it."""
+
+    mode: int = GL_EYE_LINEAR
+    object_plane: Color = (0.0, 0.0, 0.0, 0.0)
+    eye_plane: Color = (0.0, 0.0, 0.0, 0.0)
+
+
+_S, _T, _NO_PLANE = (1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0)
+
+
+class TextureUnit(NamedTuple):
+    """One texture unit.  Tuples of four go by target: 1D, 2D, 3D, cube map; or by coordinate: s, t, r, q."""
+
+    enabled: tuple[bool, ...] = (False,) * 4
+    names: tuple[int, ...] = (0,) * 4
+    bound: tuple[Texture, ...] = tuple(map(Texture, range(1, 5)))
     environment: int = GL_MODULATE
     environment_color: Color = (0.0, 0.0, 0.0, 0.0)
+    lod_bias: float = 0.0
+    combine: Combine = Combine()
+    generated: tuple[bool, ...] = (False,) * 4
+    generators: tuple[TexGen, ...] = (
+        TexGen(GL_EYE_LINEAR, _S, _S), TexGen(GL_EYE_LINEAR, _T, _T), TexGen(), TexGen(),
+    )  # fmt: skip
 
     @property
     def active(self) -> Texture | None:
-        """The texture that is applied: two dimensions go before one; None if it is off or not complete."""
-        texture = self.bound[1] if self.enabled_2d else self.bound[0] if self.enabled_1d else None
-        return texture if texture is not None and texture.complete else None
+        """The texture that is applied: the enabled one of most dimensions; None if it is off or not complete."""
+        for texture, enabled in zip(reversed(self.bound), reversed(self.enabled), strict=True):
+            if enabled:
+                return texture if texture.complete else None
+        return None
+
+
+class Texturing(NamedTuple):
+    """Group GL_TEXTURE_BIT: all units, and the one that glActiveTexture chose."""
+
+    units: tuple[TextureUnit, ...] = (TextureUnit(),) * TEXTURE_UNITS
+    active_unit: int = 0
+
+    @property
+    def unit(self) -> TextureUnit:
+        return self.units[self.active_unit]
+
+    @property
+    def in_use(self) -> bool:
+        """Whether any unit may apply a texture."""
+        return any(any(unit.enabled) for unit in self.units)
+
+    def with_unit(self, number: int, unit: TextureUnit) -> Texturing:
+        return self._replace(units=(*self.units[:number], unit, *self.units[number + 1 :]))
 
 
 class Fog(NamedTuple):
@@ -226,6 +284,8 @@ class ColorBuffer(NamedTuple):
     blend_color: Color = (0.0, 0.0, 0.0, 0.0)
     logic_op_enabled: bool = False
     logic_op: int = GL_COPY
+    index_logic_op: bool = False
+    draw_buffer: int = GL_FRONT
 
 
 class Scissor(NamedTuple):
@@ -249,6 +309,34 @@ class Multisample(NamedTuple):
     coverage_invert: bool = False
 
 
+class RasterPosition(NamedTuple):
+    """Where glDrawPixels and glBitmap begin, and what their fragments carry (section 2.13).
+
+    x, y in pixels, z in [0, 1], w of clip space; distance from the eye; texcoords: one for each unit.
+    """
+
+    valid: bool = True
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    w: float = 1.0
+    distance: float = 0.0
+    color: Color = WHITE
+    secondary_color: Color = BLACK
+    texcoords: tuple[Color, ...] = (BLACK,) * TEXTURE_UNITS
+
+
+class Evaluators(NamedTuple):
+    """Group GL_EVAL_BIT.  Enabled maps in the order of GL_MAP1_COLOR_4 and GL_MAP2_COLOR_4 and on; grids as
+    (steps, from, to) for each direction."""
+
+    enabled_1: tuple[bool, ...] = (False,) * 9
+    enabled_2: tuple[bool, ...] = (False,) * 9
+    auto_normal: bool = False
+    grid_1: tuple[int, float, float] = (1, 0.0, 1.0)
+    grid_2: tuple[int, float, float, int, float, float] = (1, 0.0, 1.0, 1, 0.0, 1.0)
+
+
 class Snapshot(NamedTuple):
     """What a Draw or a Clear must know of the state: the groups of its time."""
 
@@ -259,7 +347,7 @@ class Snapshot(NamedTuple):
     line: Line
     polygon: Polygon
     polygon_stipple: PolygonStipple
-    texture: TextureUnit
+    texture: Texturing
     fog: Fog
     depth: Depth
     stencil: Stencil

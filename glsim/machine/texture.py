@@ -1,12 +1,13 @@
 """Texture objects: immutable, so that a Draw keeps the texture as it was.
 
-Texels are kept as red, green, blue, alpha in the form the base internal format gives them (OpenGL 1.5, table 3.20):
-luminance (L, L, L, 1), intensity (I, I, I, I), alpha (0, 0, 0, A).
+Texels are kept as red, green, blue, alpha of 8 bits in the form the base internal format gives them (OpenGL 1.5, table
+3.20): luminance (L, L, L, 1), intensity (I, I, I, I), alpha (0, 0, 0, A); depth textures as float32.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,11 +18,22 @@ from glsim.machine.constants import (
     GL_ALPHA8,
     GL_ALPHA12,
     GL_ALPHA16,
+    GL_COMPRESSED_ALPHA,
+    GL_COMPRESSED_INTENSITY,
+    GL_COMPRESSED_LUMINANCE,
+    GL_COMPRESSED_LUMINANCE_ALPHA,
+    GL_COMPRESSED_RGB,
+    GL_COMPRESSED_RGBA,
+    GL_DEPTH_COMPONENT,
+    GL_DEPTH_COMPONENT16,
+    GL_DEPTH_COMPONENT24,
+    GL_DEPTH_COMPONENT32,
     GL_INTENSITY,
     GL_INTENSITY4,
     GL_INTENSITY8,
     GL_INTENSITY12,
     GL_INTENSITY16,
+    GL_LEQUAL,
     GL_LINEAR,
     GL_LUMINANCE,
     GL_LUMINANCE4,
@@ -71,15 +83,50 @@ for _base, _formats in (
 ):  # fmt: skip
     BASE_FORMATS.update(dict.fromkeys(_formats, _base))
 
+BASE_FORMATS.update(dict.fromkeys(
+    (GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32), GL_DEPTH_COMPONENT
+))  # fmt: skip
+BASE_FORMATS.update({  # generic compressed formats: a driver may choose not to compress, and glsim does not
+    GL_COMPRESSED_ALPHA: GL_ALPHA, GL_COMPRESSED_LUMINANCE: GL_LUMINANCE, GL_COMPRESSED_INTENSITY: GL_INTENSITY,
+    GL_COMPRESSED_LUMINANCE_ALPHA: GL_LUMINANCE_ALPHA, GL_COMPRESSED_RGB: GL_RGB, GL_COMPRESSED_RGBA: GL_RGBA,
+})  # fmt: skip
+
 MAX_TEXTURE_SIZE = 4096
+MAX_3D_TEXTURE_SIZE = 512
+CUBE = 4  # the kind of cube maps; 1, 2 and 3 are the dimensions of the others
 
 
 @dataclass(frozen=True, eq=False)
 class Image:
-    """One level: texels (height, width, 4) uint8, and the format the program asked for."""
+    """One level of one face: texels, and the format the program asked for.
 
-    texels: NDArray[np.uint8]
+    texels: (height, width, 4) uint8, with a depth in front if there are three dimensions; (height, width, 1) float32
+    for a depth texture.
+    """
+
+    texels: NDArray[Any]
     internal_format: int
+
+    @property
+    def base_format(self) -> int:
+        return BASE_FORMATS[self.internal_format]
+
+    @property
+    def size(self) -> tuple[int, ...]:
+        """(height, width) or (depth, height, width)."""
+        return self.texels.shape[:-1]
+
+
+class Images:
+    """All images of a texture: (face, level) -> Image; the face is 0 but for cube maps."""
+
+    __slots__ = ("__weakref__", "by_level")
+
+    def __init__(self, by_level: dict[tuple[int, int], Image] | None = None) -> None:
+        self.by_level = by_level or {}
+
+    def get(self, level: int, face: int = 0) -> Image | None:
+        return self.by_level.get((face, level))
 
 
 @dataclass(frozen=True)
@@ -90,22 +137,49 @@ class Sampler:
     mag_filter: int = GL_LINEAR
     wrap_s: int = GL_REPEAT
     wrap_t: int = GL_REPEAT
+    wrap_r: int = GL_REPEAT
     border_color: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
     priority: float = 1.0
+    min_lod: float = -1000.0
+    max_lod: float = 1000.0
+    base_level: int = 0
+    max_level: int = 1000
+    lod_bias: float = 0.0
+    depth_mode: int = GL_LUMINANCE
+    compare_mode: int = 0
+    compare_func: int = GL_LEQUAL
     generate_mipmap: bool = False
+
+
+NO_IMAGES = Images()
 
 
 @dataclass(frozen=True, eq=False)
 class Texture:
-    """A texture object as it is at one time.  images: by level; dimensions: 1 or 2, 0 before the first bind."""
+    """A texture object as it is at one time.  kind: 1, 2 or 3 dimensions, or CUBE."""
 
-    dimensions: int = 0
-    images: dict[int, Image] = field(default_factory=dict)
+    kind: int
+    images: Images = NO_IMAGES
     sampler: Sampler = Sampler()
 
     @property
+    def faces(self) -> range:
+        return range(6 if self.kind == CUBE else 1)
+
+    @property
+    def base(self) -> Image | None:
+        return self.images.get(self.sampler.base_level)
+
+    @property
+    def is_depth(self) -> bool:
+        return self.base is not None and self.base.base_format == GL_DEPTH_COMPONENT
+
+    @property
     def base_format(self) -> int:
-        return BASE_FORMATS[self.images[0].internal_format]
+        """What the environment takes the texels for; depths are what GL_DEPTH_TEXTURE_MODE says."""
+        base = self.base
+        assert base is not None
+        return self.sampler.depth_mode if self.is_depth else base.base_format
 
     @property
     def mipmapped(self) -> bool:
@@ -114,32 +188,32 @@ class Texture:
     @property
     def complete(self) -> bool:
         """Whether it can be used: section 3.8.10."""
-        if 0 not in self.images or 0 in self.images[0].texels.shape:
+        base, first = self.base, self.sampler.base_level
+        if base is None or 0 in base.size or first > self.sampler.max_level:
             return False
-        if not self.mipmapped:
-            return True
-        height, width = self.images[0].texels.shape[:2]
-        level = 0
-        while (height, width) != (1, 1):
-            level, height, width = level + 1, max(height // 2, 1), max(width // 2, 1)
-            image = self.images.get(level)
-            if image is None or image.texels.shape[:2] != (height, width):
-                return False
-            if BASE_FORMATS[image.internal_format] != self.base_format:
-                return False
+        if self.kind == CUBE and base.size[0] != base.size[1]:
+            return False
+        last = min(first + max(base.size).bit_length() - 1, self.sampler.max_level) if self.mipmapped else first
+        for face in self.faces:
+            size = base.size
+            for level in range(first, last + 1):
+                image = self.images.get(level, face)
+                if image is None or image.size != size or image.base_format != base.base_format:
+                    return False
+                size = tuple(max(length // 2, 1) for length in size)
         return True
 
 
-def mipmaps(base: Image) -> dict[int, Image]:
-    """All levels below ``base`` by averaging 2 x 2 texels (section 3.8.8)."""
-    levels = {0: base}
-    texels = base.texels
-    while texels.shape[:2] != (1, 1):
-        height, width = texels.shape[:2]
-        rows = texels[: height // 2 * 2].reshape(height // 2, 2, width, 4) if height > 1 else texels[:, None]
-        summed = rows.astype(np.float64).mean(axis=1)
-        height, width = summed.shape[:2]
-        columns = summed[:, : width // 2 * 2].reshape(height, width // 2, 2, 4) if width > 1 else summed[:, :, None]
-        texels = np.floor(columns.mean(axis=2) + 0.5).astype(np.uint8)
-        levels[len(levels)] = Image(texels, base.internal_format)
+def mipmaps(base: Image) -> list[Image]:
+    """``base`` and all levels below it, by averaging 2 x 2 (x 2) texels (section 3.8.8)."""
+    levels = [base]
+    texels = base.texels.astype(np.float64)
+    while max(texels.shape[:-1]) > 1:
+        for axis, length in enumerate(texels.shape[:-1]):
+            if length > 1:
+                even = np.take(texels, range(0, length // 2 * 2, 2), axis)
+                texels = (even + np.take(texels, range(1, length // 2 * 2, 2), axis)) / 2.0
+        if base.texels.dtype == np.uint8:
+            texels = np.floor(texels + 0.5)
+        levels.append(Image(texels.astype(base.texels.dtype), base.internal_format))
     return levels

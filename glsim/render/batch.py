@@ -99,12 +99,16 @@ def _instances(draws: list[Draw], limit: int, objects: list[Object]) -> Plan:
     result = Plan(first.block, indices=indices, instances=True)
     batch: Batch | None = None
     for draw in draws:
-        if batch is None or batch.objects >= limit or batch.state != draw.state:
+        if batch is None or batch.objects >= limit or not _alike(batch.draws[0], draw):
             batch = Batch(draw.state, corners(draw.mode), draw.block, len(objects), 0, [draw], 0, len(indices))
             result.batches.append(batch)
         objects.append(Object(draw.matrices, draw.material, draw.color))
         batch.objects += 1
     return result
+
+
+def _alike(a: Draw, b: Draw) -> bool:
+    return a.state == b.state and a.matrices[3:] == b.matrices[3:]
 
 
 def plan(draws: Sequence[Draw], limit: int, objects: list[Object]) -> Plan:
@@ -143,7 +147,7 @@ def _fits(batch: Batch, draw: Draw, changes: int, limit: int) -> bool:
         and batch.draws[-1].count <= MERGE_BELOW
         and batch.objects + changes < limit
         and batch.corners == corners(draw.mode)
-        and batch.state == draw.state
+        and _alike(batch.draws[-1], draw)
         and (batch.draws[-1].color is None) == (draw.color is None)
     )
 
@@ -163,7 +167,7 @@ def separate(draw: Draw, limit: int) -> list[Draw]:
         return [draw]
     size = corners(draw.mode)
     chosen = _assembled(draw, draw.first, draw.count)
-    used = materials_of(draw, chosen)
+    used = draw.materials_at(chosen)
     vertices = draw.block.take(chosen, list(enumerate(used)))
     step = (limit - 1) // size * size
     parts = []
@@ -171,14 +175,6 @@ def separate(draw: Draw, limit: int) -> list[Draw]:
         count = min(step, len(chosen) - first)
         parts.append(Draw(PLAIN[size], first, count, None, draw.matrices, used[first], draw.state, vertices))
     return parts
-
-
-def materials_of(draw: Draw, chosen: Uint32) -> list[Material]:
-    """The material at each of some vertices of a Draw."""
-    changes = draw.material_changes()
-    materials = [draw.material, *(material for _, material in changes)]
-    firsts = np.array([vertex for vertex, _ in changes])
-    return [materials[k] for k in np.searchsorted(firsts, chosen, side="right")]
 
 
 def _rows(spans: list[tuple[int, int, int]], count: int) -> Uint32:

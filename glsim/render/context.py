@@ -66,7 +66,7 @@ class Offscreen:
         self._raw = RawGL(self._loader)
         self._target = self._framebuffer(self.samples)
         self._resolved = self._framebuffer(0) if self.samples else self._target
-        self._renderer = Renderer(self.ctx, self._raw)
+        self._renderer = Renderer(self.ctx, self._raw, (self.width, self.height), self._reread)
         self._previous: list[Any] = []
         self._thread = threading.get_ident()
         self.machine = Machine(self)
@@ -168,15 +168,25 @@ class Offscreen:
         what: "color" (height, width, 4) uint8, "depth" (height, width) float32 or "stencil" (height, width) uint8.
         """
         self._check()
+        with self.ctx:
+            pixels = self._read(x, y, width, height, what)
+        self._renderer.busy = False
+        return pixels
+
+    def _read(self, x: int, y: int, width: int, height: int, what: str) -> NDArray[Any]:
         format, kind = READABLE[what]
         dtype = np.float32 if kind == GL_FLOAT else np.uint8
         pixels = np.zeros((height, width, 4) if what == "color" else (height, width), dtype)
-        with self.ctx:
-            self._resolve()
-            self._resolved.use()
-            self._raw.glPixelStorei(GL_PACK_ALIGNMENT, 1)
-            self._raw.glReadPixels(x, y, width, height, format, kind, pixels.ctypes.data)
-        self._renderer.busy = False
+        self._resolve()
+        self._resolved.use()
+        self._raw.glPixelStorei(GL_PACK_ALIGNMENT, 1)
+        self._raw.glReadPixels(x, y, width, height, format, kind, pixels.ctypes.data)
+        return pixels
+
+    def _reread(self, x: int, y: int, width: int, height: int, what: str) -> NDArray[Any]:
+        """For the renderer, which goes on drawing afterwards."""
+        pixels = self._read(x, y, width, height, what)
+        self._target.use()
         return pixels
 
     def _resolve(self) -> None:

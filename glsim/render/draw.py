@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
 import math
 import weakref
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import groupby
 from typing import Any
 
@@ -13,26 +14,45 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.constants import (
+    GL_ACCUM,
+    GL_ACCUM_BUFFER_BIT,
+    GL_ADD,
     GL_BLEND,
     GL_CLIP_PLANE0,
     GL_COLOR_LOGIC_OP,
     GL_CULL_FACE,
     GL_DEPTH_TEST,
     GL_DITHER,
+    GL_LOAD,
+    GL_MULT,
     GL_MULTISAMPLE,
+    GL_NONE,
     GL_POLYGON_OFFSET_FILL,
+    GL_QUERY_RESULT,
     GL_SAMPLE_ALPHA_TO_COVERAGE,
     GL_SAMPLE_ALPHA_TO_ONE,
     GL_SAMPLE_COVERAGE,
+    GL_SAMPLES_PASSED,
     GL_SCISSOR_TEST,
     GL_STENCIL_TEST,
 )
-from glsim.machine.frame import Clear, Draw, Packet, Vertices
-from glsim.machine.matrix import evaluate, inverse_transpose, multiply
-from glsim.machine.state import ColorBuffer, Light, Lighting, Material, Snapshot
+from glsim.machine.frame import Accum, Clear, Draw, Packet, Pixels, QueryMark, Vertices
+from glsim.machine.matrix import Matrix, evaluate, inverse_transpose, multiply
+from glsim.machine.pixels import PixelMode
+from glsim.machine.state import (
+    TEXTURE_UNITS,
+    ColorBuffer,
+    Light,
+    Lighting,
+    Material,
+    RasterPosition,
+    Snapshot,
+    TextureUnit,
+)
 from glsim.render.batch import Batch, Object, Plan, plans
 from glsim.render.outline import line_width, prepare
-from glsim.render.programs import BINDINGS, ProgramKey, build, program_key
+from glsim.render.pixels import Fragments, as_fragments, merged_bitmaps, plain_state
+from glsim.render.programs import BINDINGS, PIXELS, ProgramKey, build, program_key
 from glsim.render.raw import RawGL
 from glsim.render.textures import Textures
 
@@ -41,13 +61,16 @@ PRIMITIVES = {1: moderngl.POINTS, 2: moderngl.LINES, 3: moderngl.TRIANGLES}
 ROW_SIZE = 256  # of a Transform and of a Material in shaders/state.glsl
 LIGHTS_SIZE = 1024
 RASTER_SIZE = 336
+TEXTURING_SIZE = 1024
+SHARED = {"Lights": LIGHTS_SIZE, "Raster": RASTER_SIZE, "Texturing": TEXTURING_SIZE}  # blocks of which there is one
 PROGRAM_POINT_SIZE = 0x8642
 CORE_BITS = 0x4000 | 0x100 | 0x400  # colour, depth and stencil; there is no accumulation buffer in the core profile
 
 
 # Inputs of main.vert beside position, normal and color: how they lie in a buffer, and where they come from.
 INPUTS = {
-    "texcoord0": ("4f", "texcoord0"),
+    **{f"texcoord{unit}": ("4f", f"texcoord{unit}") for unit in range(TEXTURE_UNITS)},
+    "depth_offset": ("1f", "depth_offset"),
     "position_w": ("1f", "w"),
     "secondary_color": ("4f", "secondary_color"),
     "fog_coord": ("1f", "fog_coord"),
@@ -104,9 +127,19 @@ class Source:
 
 
 class Renderer:
-    """Draws packets into the framebuffer that is bound when ``execute`` is called."""
+    """Draws packets into the framebuffer that is bound when ``execute`` is called.
 
-    def __init__(self, ctx: moderngl.Context, raw: RawGL) -> None:
+    size: width and height of the framebuffer.  reader: reads a rectangle of it (x, y, width, height, "color", "depth"
+    or "stencil") and leaves it bound.
+    """
+
+    def __init__(
+        self,
+        ctx: moderngl.Context,
+        raw: RawGL,
+        size: tuple[int, int],
+        reader: Callable[[int, int, int, int, str], NDArray[Any]],
+    ) -> None:
         self.ctx, self.raw = ctx, raw
         ctx.gc_mode = "context_gc"  # buffers of lists that are gone are released when the context is current
         self.limit = min(ctx.info["GL_MAX_UNIFORM_BLOCK_SIZE"], 65536) // ROW_SIZE
@@ -118,6 +151,10 @@ class Renderer:
         self.numbers = np.arange(self.limit, dtype=np.uint32)
         self.uploaded_lights: Lighting | None = None
         self.uploaded_raster: tuple[Any, ...] = ()
+        self.uploaded_texturing: tuple[Any, ...] = ()
+        self.size, self.reader = size, reader
+        self.accumulation: NDArray[np.float32] | None = None
+        self.query = 0  # the driver's name of the query that is counting
         self.fixed: tuple[Snapshot, int] | None = None
         self.busy = False  # whether the GPU may still read the buffers
 
@@ -127,13 +164,17 @@ class Renderer:
         """Draw; the context must be current and the framebuffer bound."""
         self.ctx.gc()
         self.fixed = None  # somebody else may have changed the driver's state since
-        for _, group in groupby(packets, key=type):
-            run = list(group)
-            if isinstance(run[0], Clear):
-                for packet in run:
-                    self._clear(packet)  # type: ignore[arg-type]
+        for kind, group in groupby(packets, key=type):
+            run: list[Any] = list(group)
+            if kind is Draw:
+                self._draw(run)
+            elif kind is Pixels:
+                for pixels in merged_bitmaps(run):
+                    self._draw_pixels(pixels)
             else:
-                self._draw(run)  # type: ignore[arg-type]
+                perform: Any = {Clear: self._clear, Accum: self._accumulate, QueryMark: self._mark}[kind]
+                for packet in run:
+                    perform(packet)
 
     def _clear(self, packet: Clear) -> None:
         state, raw = packet.state, self.raw
@@ -143,8 +184,76 @@ class Renderer:
         raw.glClearDepth(state.depth.clear)
         raw.glClearStencil(state.stencil.clear)
         raw.glClear(packet.mask & CORE_BITS)
+        if packet.mask & GL_ACCUM_BUFFER_BIT:
+            part = self._scissored(state)
+            self._accum()[part] = packet.accum
 
-    def _draw(self, draws: Sequence[Draw]) -> None:
+    def _mark(self, packet: QueryMark) -> None:
+        """glBeginQuery and glEndQuery; the number is waited for, as soon as the query ends."""
+        raw, number = self.raw, ctypes.c_uint()
+        if packet.begin:
+            raw.glGenQueries(1, ctypes.byref(number))
+            raw.glBeginQuery(GL_SAMPLES_PASSED, number.value)
+            self.query = number.value
+        elif self.query:
+            raw.glEndQuery(GL_SAMPLES_PASSED)
+            raw.glGetQueryObjectuiv(self.query, GL_QUERY_RESULT, ctypes.byref(number))
+            packet.query.result = number.value
+            raw.glDeleteQueries(1, ctypes.byref(ctypes.c_uint(self.query)))
+            self.query = 0
+
+    # ------------------------------------------------------------ pixel rectangles and accumulation
+
+    def _draw_pixels(self, packet: Pixels) -> None:
+        """One glDrawPixels, glCopyPixels or glBitmap."""
+        for part in as_fragments(packet, self.size, self._read):
+            self.textures.rectangle(part.image)
+            self._draw([part.draw], part)
+
+    def _read(self, x: int, y: int, width: int, height: int, what: str) -> NDArray[Any]:
+        pixels = self.reader(x, y, width, height, what)
+        self.fixed = None  # resolving several samples changes the driver's state
+        return pixels
+
+    def _accum(self) -> NDArray[np.float32]:
+        """The accumulation buffer, made when it is first used: (height, width, 4), bottom row first."""
+        if self.accumulation is None:
+            width, height = self.size
+            self.accumulation = np.zeros((height, width, 4), np.float32)
+        return self.accumulation
+
+    def _scissored(self, state: Snapshot) -> tuple[slice, slice]:
+        """The pixels that glScissor lets through: rows, columns."""
+        width, height = self.size
+        test, x, y, wide, high = state.scissor
+        if not test:
+            return slice(0, height), slice(0, width)
+        return slice(max(y, 0), max(min(y + high, height), 0)), slice(max(x, 0), max(min(x + wide, width), 0))
+
+    def _accumulate(self, packet: Accum) -> None:
+        """One glAccum (section 4.2.4); GL_RETURN is drawn like pixels, under scissor and colour mask alone."""
+        buffer, part = self._accum(), self._scissored(packet.state)
+        rows, columns = part
+        width, height = columns.stop - columns.start, rows.stop - rows.start
+        if width <= 0 or height <= 0:
+            return
+        if packet.operation in (GL_ACCUM, GL_LOAD):
+            colors = self._read(columns.start, rows.start, width, height, "color") * np.float32(packet.value / 255.0)
+            buffer[part] = colors if packet.operation == GL_LOAD else buffer[part] + colors
+        elif packet.operation == GL_MULT:
+            buffer[part] *= np.float32(packet.value)
+        elif packet.operation == GL_ADD:
+            buffer[part] += np.float32(packet.value)
+        else:
+            image = np.clip(buffer[part] * np.float32(packet.value), 0.0, 1.0)
+            state = plain_state(packet.state, self.size, fragments=False)
+            raster = RasterPosition(x=float(columns.start), y=float(rows.start))
+            self._draw_pixels(Pixels("color", image, None, raster, PixelMode(), state))
+
+    # ------------------------------------------------------------ primitives
+
+    def _draw(self, draws: Sequence[Draw], pixels: Fragments | None = None) -> None:
+        """pixels: what the fragments take from a rectangle of pixels."""
         objects, todo = plans(list(prepare(draws)), self.limit)
         room = (len(objects) + self.limit) * ROW_SIZE  # a block always has `limit` rows, wherever it begins
         self._write("Transforms", transforms(objects), room)
@@ -153,29 +262,33 @@ class Renderer:
             source = self._kept(part) if part.instances else self._streamed(part)
             for batch in part.batches:
                 if batch.count:
-                    self._draw_batch(batch, part, source)
+                    self._draw_batch(batch, part, source, pixels)
             self.busy = True
 
-    def _draw_batch(self, batch: Batch, part: Plan, source: Source) -> None:
+    def _draw_batch(self, batch: Batch, part: Plan, source: Source, pixels: Fragments | None) -> None:
         state, columns = batch.state, batch.vertices.columns
         wide = "line_side" in columns
         many = batch.objects > 1 and (part.instances or len(part.rows) > 0)
         key = program_key(state, batch.corners)._replace(
             wide_lines=wide,
             has_w="w" in columns,
+            depth_offset="depth_offset" in columns,
+            smooth_lines=wide and state.line.smooth,
+            pixels=PIXELS[pixels.kind] if pixels else 0,
             object_color=batch.draws[0].color is not None,
             objects=self.limit if many else 1,
         )
         self._apply(state, 2 if wide else batch.corners)
         self._upload_lights(state.lighting)
-        self._upload_raster(state)
-        texture = state.texture.active
-        if texture is not None:
-            self.textures.bind(texture)
+        self._upload_raster(state, pixels.origin if pixels else (0, 0))
+        if key.units:
+            self._upload_texturing(batch)
+            for unit in key.units:
+                self.textures.bind(unit.number, state.texture.units[unit.number])
         for name in ("Transforms", "Materials"):
             size = ROW_SIZE * key.objects
             self.uniforms[name].bind_to_uniform_block(BINDINGS[name], offset=ROW_SIZE * batch.base, size=size)
-        for name, size in (("Lights", LIGHTS_SIZE), ("Raster", RASTER_SIZE)):
+        for name, size in SHARED.items():
             self.uniforms[name].bind_to_uniform_block(BINDINGS[name], size=size)
         program = self.program(key)
         source.fill(batch.vertices, program, self.busy)
@@ -224,14 +337,21 @@ class Renderer:
             self._write("Lights", lights(lighting))
             self.uploaded_lights = lighting
 
-    def _upload_raster(self, state: Snapshot) -> None:
+    def _upload_raster(self, state: Snapshot, origin: tuple[int, int]) -> None:
         groups = (
             state.fog, state.transform, state.point, state.viewport, state.line, state.polygon_stipple,
-            state.color_buffer.alpha_reference, state.texture.environment_color,
+            state.color_buffer.alpha_reference, origin,
         )  # fmt: skip
         if groups != self.uploaded_raster:
-            self._write("Raster", raster(state))
+            self._write("Raster", raster(state, origin))
             self.uploaded_raster = groups
+
+    def _upload_texturing(self, batch: Batch) -> None:
+        """The units, with the texture matrices of all but the first, which agree in a batch."""
+        groups = batch.state.texture.units, batch.draws[0].matrices[3:]
+        if groups != self.uploaded_texturing:
+            self._write("Texturing", texturing(*groups))
+            self.uploaded_texturing = groups
 
     # ------------------------------------------------------------ state that the core profile kept
 
@@ -284,7 +404,7 @@ class Renderer:
     def _apply_color_buffer(self, color: ColorBuffer) -> None:
         raw = self.raw
         self._switch(GL_DITHER, color.dither)
-        raw.glColorMask(*color.mask)
+        raw.glColorMask(*(color.mask if color.draw_buffer != GL_NONE else (False,) * 4))
         self._switch(GL_BLEND, color.blend and not color.logic_op_enabled)
         raw.glBlendFuncSeparate(*color.blend_function)
         raw.glBlendEquation(color.blend_equation)
@@ -335,7 +455,7 @@ def _faces(material: Material) -> list[float]:
     return values
 
 
-def raster(state: Snapshot) -> NDArray[np.float32]:
+def raster(state: Snapshot, origin: tuple[int, int] = (0, 0)) -> NDArray[np.float32]:
     """The block Raster of shaders/raster.glsl: (84,) float32."""
     fog, point, line, viewport = state.fog, state.point, state.line, state.viewport
     block = np.zeros(RASTER_SIZE // 4, np.float32)
@@ -346,9 +466,23 @@ def raster(state: Snapshot) -> NDArray[np.float32]:
     block[36:39] = point.distance_attenuation
     block[40:44] = viewport.x, viewport.y, max(viewport.width, 1), max(viewport.height, 1)
     block[44:47] = line_width(state), line.stipple_factor, line.stipple_pattern
-    block[80:84] = state.texture.environment_color
+    block[80:82] = origin
     block[48:80] = np.array(state.polygon_stipple.rows, np.uint32).view(np.float32)
     return block
+
+
+def texturing(units: Sequence[TextureUnit], matrices: Sequence[Matrix]) -> NDArray[np.float32]:
+    """The block Texturing: four struct Unit, (256,) float32.  matrices: of the units from 1 on."""
+    block = np.zeros((TEXTURE_UNITS, ROW_SIZE // 4), np.float32)
+    evaluate(dict.fromkeys(matrices))
+    for number, unit in enumerate(units):
+        row = block[number]
+        row[0:4] = unit.environment_color
+        row[4:6] = unit.combine.scale_rgb, unit.combine.scale_alpha
+        row[8:24] = np.ravel([generator.object_plane for generator in unit.generators])
+        row[24:40] = np.ravel([generator.eye_plane for generator in unit.generators])
+        row[40:56] = (matrices[number - 1].get() if number and matrices else np.eye(4, dtype=np.float32)).ravel()
+    return block.ravel()
 
 
 def lights(lighting: Lighting) -> NDArray[np.float32]:

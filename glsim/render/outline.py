@@ -32,7 +32,7 @@ from glsim.machine.constants import (
 from glsim.machine.frame import Draw, Vertices
 from glsim.machine.matrix import evaluate, multiply
 from glsim.machine.state import Material, Snapshot
-from glsim.render.batch import assembled, materials_of
+from glsim.render.batch import assembled
 
 Float = NDArray[np.float32]
 
@@ -100,7 +100,7 @@ def lines(draws: list[Draw]) -> list[Draw]:
     for draw, pairs in zip(draws, ends, strict=True):
         count = pairs.size * (2 if wide else 1)
         if block.materials and draw.indices is None:
-            used = materials_of(draw, chosen[first : first + count])
+            used = draw.materials_at(chosen[first : first + count])
             materials += [(first + k, material) for k, material in enumerate(used)]
         part = Draw(GL_LINES, first, count, None, draw.matrices, draw.material, state, vertices)
         if wide:
@@ -132,7 +132,7 @@ def _starts(draw: Draw, pairs: NDArray[np.uint32]) -> Float:
     length = np.abs(ends[:, 1] - ends[:, 0]).max(axis=1)
     begin = np.zeros(len(length))
     if draw.mode in (GL_LINE_STRIP, GL_LINE_LOOP):
-        begin[1:] = np.cumsum(length)[:-1]
+        begin[1:] = np.cumsum(np.floor(length))[:-1]  # fragments are counted, not lengths
     return np.stack([begin, begin + length], axis=1).astype(np.float32)
 
 
@@ -212,7 +212,7 @@ def _part(
         vertices.rows[:, 3:] = block.rows[source, 3:]
     material = draw.material
     if block.materials and draw.indices is None:
-        vertices.materials = list(enumerate(materials_of(draw, source)))
+        vertices.materials = list(enumerate(draw.materials_at(source)))
     if not front and state.lighting.enabled and state.lighting.two_side:  # lines and points have no back: turn it round
         vertices.rows[:, 3:6] *= -1
         material = Material(material.back, material.back)

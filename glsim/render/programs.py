@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from glsim.files import data_folder
 from glsim.machine.constants import (
     GL_ADD,
+    GL_ADD_SIGNED,
     GL_ALPHA,
     GL_ALWAYS,
     GL_AMBIENT,
@@ -20,12 +21,17 @@ from glsim.machine.constants import (
     GL_BACK,
     GL_BLEND,
     GL_CLAMP,
+    GL_COMBINE,
+    GL_CONSTANT,
     GL_DECAL,
     GL_DIFFUSE,
+    GL_DOT3_RGB,
+    GL_DOT3_RGBA,
     GL_EMISSION,
     GL_EQUAL,
     GL_EXP,
     GL_EXP2,
+    GL_EYE_LINEAR,
     GL_FLAT,
     GL_FLIP_NORMAL_GLSIM,
     GL_FOG_COORDINATE,
@@ -33,22 +39,36 @@ from glsim.machine.constants import (
     GL_GEQUAL,
     GL_GREATER,
     GL_INTENSITY,
+    GL_INTERPOLATE,
     GL_LEQUAL,
     GL_LESS,
     GL_LINEAR,
     GL_LUMINANCE,
     GL_MODULATE,
     GL_NEVER,
+    GL_NORMAL_MAP,
     GL_NOTEQUAL,
+    GL_OBJECT_LINEAR,
+    GL_ONE_MINUS_SRC_ALPHA,
+    GL_ONE_MINUS_SRC_COLOR,
     GL_PHONG_LOBE_GLSIM,
     GL_PHONG_WIN,
+    GL_PREVIOUS,
+    GL_PRIMARY_COLOR,
+    GL_REFLECTION_MAP,
     GL_REPLACE,
     GL_RGB,
     GL_SEPARATE_SPECULAR_COLOR,
     GL_SPECULAR,
+    GL_SPHERE_MAP,
+    GL_SRC_ALPHA,
+    GL_SRC_COLOR,
+    GL_SUBTRACT,
+    GL_TEXTURE,
+    GL_TEXTURE0,
 )
-from glsim.machine.state import MAX_CLIP_PLANES, Light, Lighting, Snapshot
-from glsim.machine.texture import Texture
+from glsim.machine.state import MAX_CLIP_PLANES, TEXTURE_UNITS, Combine, Light, Lighting, Snapshot, TextureUnit
+from glsim.machine.texture import CUBE
 
 if TYPE_CHECKING:
     import moderngl
@@ -70,6 +90,26 @@ class LightKind(NamedTuple):
     positional: bool
     attenuated: bool
     spot: bool
+
+
+class UnitKind(NamedTuple):
+    """What must be computed for one texture unit."""
+
+    number: int
+    kind: int  # of texture: 1 to 3 dimensions or CUBE
+    has_color: bool
+    has_alpha: bool
+    is_intensity: bool
+    is_depth: bool
+    compare: bool
+    environment: int
+    combine: Combine | None  # but for the scales, which are values
+    clamp: tuple[bool, ...]  # GL_CLAMP in s, t, r
+    generated: tuple[int, ...]  # mode of glTexGen for s, t, r, q, or 0
+
+
+# what a fragment of a pixel rectangle takes from the rectangle
+PIXELS = {"": 0, "color": 1, "depth": 2, "bitmap": 3}
 
 
 class ProgramKey(NamedTuple):
@@ -96,20 +136,16 @@ class ProgramKey(NamedTuple):
     polygon_stipple: bool = False
     line_stipple: bool = False
     point_smooth: bool = False
-    texture: bool = False
-    texture_is_1d: bool = False
-    texture_has_color: bool = False
-    texture_has_alpha: bool = False
-    texture_is_intensity: bool = False
-    texenv: int = 0
-    clamp_s: bool = False
-    clamp_t: bool = False
+    units: tuple[UnitKind, ...] = ()  # the texture units that are in use
     # what is drawn decides these, not the state
     points: bool = False  # the primitives are points
     areas: bool = True  # the primitives are polygons
     wide_lines: bool = False  # the primitives are lines made of triangles
     has_w: bool = False  # some vertex has a w that is not 1
     object_color: bool = False  # all vertices have the colour of their object
+    pixels: int = 0  # the fragments of a pixel rectangle: one of PIXELS
+    depth_offset: bool = False  # each vertex says how far it is moved: glPolygonOffset for lines and points
+    smooth_lines: bool = False  # wide lines with soft edges
     objects: int = 1  # rows of transforms and materials that one draw can use
 
 
@@ -132,23 +168,37 @@ def program_key(state: Snapshot, corners: int = 3) -> ProgramKey:
         points=corners == 1,
         areas=corners == 3,
     )
-    if state.texture.active is not None:
-        common = _textured(common, state.texture.active, state.texture.environment)
+    if state.lighting.enabled or state.texture.in_use:  # who needs normals
+        transform = state.transform
+        common = common._replace(
+            normalize=transform.normalize, rescale_normal=transform.rescale_normal and not transform.normalize
+        )
+    if state.texture.in_use:
+        kinds = (unit_kind(k, unit) for k, unit in enumerate(state.texture.units))
+        common = common._replace(units=tuple(kind for kind in kinds if kind is not None))
     return _lit(common, state) if state.lighting.enabled else common
 
 
-def _textured(key: ProgramKey, texture: Texture, environment: int) -> ProgramKey:
-    """The key with what the texture unit adds."""
-    base = texture.base_format
-    return key._replace(
-        texture=True,
-        texture_is_1d=texture.dimensions == 1,
-        texture_has_color=base != GL_ALPHA,
-        texture_has_alpha=base not in (GL_LUMINANCE, GL_RGB),
-        texture_is_intensity=base == GL_INTENSITY,
-        texenv=environment,
-        clamp_s=texture.sampler.wrap_s == GL_CLAMP,
-        clamp_t=texture.sampler.wrap_t == GL_CLAMP,
+@lru_cache(maxsize=256)
+def unit_kind(number: int, unit: TextureUnit) -> UnitKind | None:
+    texture = unit.active
+    if texture is None:
+        return None
+    base, sampler = texture.base_format, texture.sampler
+    combine = unit.combine._replace(scale_rgb=1.0, scale_alpha=1.0) if unit.environment == GL_COMBINE else None
+    modes = zip(unit.generators, unit.generated, strict=True)
+    return UnitKind(
+        number=number,
+        kind=texture.kind,
+        has_color=base != GL_ALPHA,
+        has_alpha=base not in (GL_LUMINANCE, GL_RGB),
+        is_intensity=base == GL_INTENSITY,
+        is_depth=texture.is_depth,
+        compare=texture.is_depth and sampler.compare_mode != 0,
+        environment=unit.environment,
+        combine=combine,
+        clamp=tuple(wrap == GL_CLAMP for wrap in (sampler.wrap_s, sampler.wrap_t, sampler.wrap_r)),
+        generated=tuple(generator.mode if enabled else 0 for generator, enabled in modes),
     )
 
 
@@ -168,8 +218,6 @@ def _lit(key: ProgramKey, state: Snapshot) -> ProgramKey:
         local_viewer=bool(kinds) and lighting.local_viewer,
         two_side=lighting.two_side and key.areas,
         separate_specular=bool(kinds) and lighting.color_control == GL_SEPARATE_SPECULAR_COLOR,
-        normalize=bool(kinds) and state.transform.normalize,
-        rescale_normal=bool(kinds) and state.transform.rescale_normal and not state.transform.normalize,
         front_tracks=front,
         back_tracks=back if key.areas else NOTHING_TRACKED,
     )
@@ -187,10 +235,13 @@ def light_kinds(lighting: Lighting) -> tuple[LightKind, ...]:
 
 ENUMS = {
     "FOG_OFF": 0, "FOG_LINEAR": int(GL_LINEAR), "FOG_EXP": int(GL_EXP), "FOG_EXP2": int(GL_EXP2),
-    "GL_MODULATE": int(GL_MODULATE), "GL_DECAL": int(GL_DECAL), "GL_BLEND": int(GL_BLEND),
-    "GL_REPLACE": int(GL_REPLACE), "GL_ADD": int(GL_ADD), "GL_NEVER": int(GL_NEVER), "GL_LESS": int(GL_LESS),
-    "GL_EQUAL": int(GL_EQUAL), "GL_LEQUAL": int(GL_LEQUAL), "GL_GREATER": int(GL_GREATER),
-    "GL_NOTEQUAL": int(GL_NOTEQUAL), "GL_GEQUAL": int(GL_GEQUAL),
+    **{repr(name): int(name) for name in (
+        GL_MODULATE, GL_DECAL, GL_BLEND, GL_REPLACE, GL_ADD, GL_COMBINE, GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL,
+        GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA,
+        GL_TEXTURE, GL_TEXTURE0, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR,
+        GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP, GL_REFLECTION_MAP,
+        GL_NORMAL_MAP,
+    )},
 }  # fmt: skip
 
 
@@ -205,12 +256,10 @@ def constants(key: ProgramKey) -> str:
     lines.append(f"const bool MANY_OBJECTS = {_glsl(key.objects > 1)};")
     lines += [f"const int {name} = {value};" for name, value in ENUMS.items()]
     lines.append(f"const int FOG = {int(key.fog)};")
-    lines.append(f"const int TEXENV = {int(key.texenv)};")
     lines.append(f"const int ALPHA_FUNC = {int(key.alpha_func)};")
     lines.append(f"const bool[6] CLIP_PLANE = bool[6]({', '.join(map(_glsl, key.clip_plane))});")
     for name in (
-        "texture", "texture_is_1d", "texture_has_color", "texture_has_alpha", "texture_is_intensity", "clamp_s",
-        "clamp_t",
+        "depth_offset", "smooth_lines",
         "points", "areas", "wide_lines", "has_w", "object_color", "color_sum", "fog_coordinate", "polygon_stipple",
         "line_stipple", "point_smooth", "lighting", "per_fragment", "lobe_is_phong", "flip_normal", "local_viewer",
         "two_side",
@@ -230,7 +279,47 @@ def constants(key: ProgramKey) -> str:
     ):
         size = f"{kind}[{len(kinds)}]"
         lines.append(f"const {size} {name} = {size}({', '.join(map(_glsl, column))});")
-    return "\n".join(lines) + "\n"
+    lines += [f"#define PIXELS_{name.upper() or 'NONE'} {number}" for name, number in PIXELS.items()]
+    lines.append(f"#define PIXELS {key.pixels}")
+    return "\n".join(lines + _unit_constants(key.units)) + "\n"
+
+
+SAMPLERS = {1: "sampler2D", 2: "sampler2D", 3: "sampler3D", CUBE: "samplerCube"}
+NO_UNIT = UnitKind(-1, 0, False, False, False, False, False, 0, None, (False,) * 3, (0,) * 4)
+
+
+def _unit_constants(units: tuple[UnitKind, ...]) -> list[str]:
+    """The texture units as GLSL: TEXTURE_0 to TEXTURE_3 for the preprocessor, and arrays by unit."""
+    by_number = {unit.number: unit for unit in units}
+    every = [by_number.get(number, NO_UNIT) for number in range(TEXTURE_UNITS)]
+    lines = [f"#define TEXTURES {int(bool(units))}"]
+    for number, unit in enumerate(every):
+        lines.append(f"#define TEXTURE_{number} {int(unit is not NO_UNIT)}")
+        lines.append(f"#define SAMPLER_{number} {'sampler2DShadow' if unit.compare else SAMPLERS.get(unit.kind, '')}")
+    if not units:
+        return lines
+    combines = [unit.combine or Combine() for unit in every]
+    arrays: list[tuple[str, str, list[bool] | list[int]]] = [
+        ("bool", "TEXTURE_IS_1D", [unit.kind == 1 for unit in every]),
+        ("bool", "TEXTURE_HAS_COLOR", [unit.has_color for unit in every]),
+        ("bool", "TEXTURE_HAS_ALPHA", [unit.has_alpha for unit in every]),
+        ("bool", "TEXTURE_IS_INTENSITY", [unit.is_intensity for unit in every]),
+        ("bool", "TEXTURE_IS_DEPTH", [unit.is_depth for unit in every]),
+        ("bool", "CLAMP", [flag for unit in every for flag in unit.clamp]),
+        ("int", "TEXENV", [unit.environment for unit in every]),
+        ("int", "TEXGEN", [mode for unit in every for mode in unit.generated]),
+        ("int", "COMBINE_RGB", [combine.rgb for combine in combines]),
+        ("int", "COMBINE_ALPHA", [combine.alpha for combine in combines]),
+        ("int", "SOURCE_RGB", [source for combine in combines for source in combine.source_rgb]),
+        ("int", "SOURCE_ALPHA", [source for combine in combines for source in combine.source_alpha]),
+        ("int", "OPERAND_RGB", [operand for combine in combines for operand in combine.operand_rgb]),
+        ("int", "OPERAND_ALPHA", [operand for combine in combines for operand in combine.operand_alpha]),
+    ]
+    for kind, name, values in arrays:
+        size = f"{kind}[{len(values)}]"
+        words = [_glsl(value) if kind == "bool" else str(int(value)) for value in values]
+        lines.append(f"const {size} {name} = {size}({', '.join(words)});")
+    return lines
 
 
 INCLUDE = re.compile(r'^#include "([\w.]+)"$')
@@ -269,7 +358,8 @@ def sources(key: ProgramKey) -> dict[str, str]:
     return {"vertex": front + expand("main.vert")[0], "fragment": front + expand("main.frag")[0]}
 
 
-BINDINGS = {"Transforms": 0, "Materials": 1, "Lights": 2, "Raster": 3}
+BINDINGS = {"Transforms": 0, "Materials": 1, "Lights": 2, "Raster": 3, "Texturing": 4}
+RECTANGLE_UNIT = TEXTURE_UNITS  # the texture unit beyond those of the API, for pixel rectangles
 
 
 def build(ctx: moderngl.Context, key: ProgramKey) -> moderngl.Program:
@@ -285,6 +375,10 @@ def build(ctx: moderngl.Context, key: ProgramKey) -> moderngl.Program:
         block = program.get(name, None)
         if block is not None:
             block.binding = binding  # type: ignore[union-attr]
+    samplers = {f"texture{number}": number for number in range(TEXTURE_UNITS)}
+    for name, number in {**samplers, "rectangle": RECTANGLE_UNIT}.items():
+        if name in program:
+            program[name] = number
     return program
 
 

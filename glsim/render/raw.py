@@ -27,7 +27,9 @@ SIGNATURES = {
     "glGenRenderbuffers": "ip", "glBindRenderbuffer": "uu", "glRenderbufferStorageMultisample": "uiuii",
     "glFramebufferRenderbuffer": "uuuu", "glBindFramebuffer": "uu", "glBlitFramebuffer": "iiiiiiiiuu",
     "glGenTextures": "ip", "glDeleteTextures": "ip", "glBindTexture": "uu", "glActiveTexture": "u",
-    "glTexImage2D": "uiiiiiuup", "glTexParameteri": "uui", "glTexParameterfv": "uup",
+    "glTexImage2D": "uiiiiiuup", "glTexImage3D": "uiiiiiiuup", "glTexParameterf": "uuf",
+    "glGenQueries": "ip", "glBeginQuery": "uu", "glEndQuery": "u", "glDeleteQueries": "ip",
+    "glGetQueryObjectuiv": "uup", "glTexParameteri": "uui", "glTexParameterfv": "uup",
 }  # fmt: skip
 
 

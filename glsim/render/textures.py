@@ -7,25 +7,53 @@ import weakref
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from glsim.machine.constants import (
     GL_CLAMP,
     GL_CLAMP_TO_BORDER,
+    GL_DEPTH_COMPONENT,
+    GL_DEPTH_COMPONENT24,
+    GL_FLOAT,
+    GL_NEAREST,
+    GL_RED,
     GL_RGBA,
     GL_RGBA8,
     GL_TEXTURE0,
     GL_TEXTURE_2D,
+    GL_TEXTURE_3D,
+    GL_TEXTURE_BASE_LEVEL,
     GL_TEXTURE_BORDER_COLOR,
+    GL_TEXTURE_COMPARE_FUNC,
+    GL_TEXTURE_COMPARE_MODE,
+    GL_TEXTURE_CUBE_MAP,
+    GL_TEXTURE_CUBE_MAP_POSITIVE_X,
+    GL_TEXTURE_LOD_BIAS,
     GL_TEXTURE_MAG_FILTER,
     GL_TEXTURE_MAX_LEVEL,
+    GL_TEXTURE_MAX_LOD,
     GL_TEXTURE_MIN_FILTER,
+    GL_TEXTURE_MIN_LOD,
+    GL_TEXTURE_WRAP_R,
     GL_TEXTURE_WRAP_S,
     GL_TEXTURE_WRAP_T,
     GL_UNPACK_ALIGNMENT,
     GL_UNSIGNED_BYTE,
 )
-from glsim.machine.texture import Texture
+from glsim.machine.state import TextureUnit
+from glsim.machine.texture import CUBE, Images, Texture
+from glsim.render.programs import RECTANGLE_UNIT
 from glsim.render.raw import RawGL
+
+TARGETS: dict[int, int] = {1: GL_TEXTURE_2D, 2: GL_TEXTURE_2D, 3: GL_TEXTURE_3D, CUBE: GL_TEXTURE_CUBE_MAP}
+# how a rectangle's elements lie on the GPU: (components, type) -> internal format, format, type
+GL_R8, GL_R32F, GL_RGBA32F = 0x8229, 0x822E, 0x8814
+RECTANGLES: dict[tuple[int, str], tuple[int, int, int]] = {
+    (4, "u"): (GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE),
+    (4, "f"): (GL_RGBA32F, GL_RGBA, GL_FLOAT),
+    (1, "u"): (GL_R8, GL_RED, GL_UNSIGNED_BYTE),
+    (1, "f"): (GL_R32F, GL_RED, GL_FLOAT),
+}
 
 
 class _Name:
@@ -33,6 +61,7 @@ class _Name:
 
     def __init__(self, name: int, garbage: list[int]) -> None:
         self.name, self.garbage = name, garbage
+        self.parameters: Any = None  # those it has
 
     def __del__(self) -> None:
         self.garbage.append(self.name)
@@ -41,17 +70,46 @@ class _Name:
 class Textures:
     def __init__(self, raw: RawGL) -> None:
         self.raw = raw
-        self.names: weakref.WeakKeyDictionary[Texture, _Name] = weakref.WeakKeyDictionary()
+        self.names: weakref.WeakKeyDictionary[Images, _Name] = weakref.WeakKeyDictionary()
         self.garbage: list[int] = []  # deleted when the context is current
+        self.rectangle_name = 0
 
-    def bind(self, texture: Texture) -> None:
-        """Make ``texture`` the one that texture0 samples."""
-        self.raw.glActiveTexture(GL_TEXTURE0)
-        kept = self.names.get(texture)
+    def bind(self, number: int, unit: TextureUnit) -> None:
+        """Make the texture of a unit the one that textureNUMBER samples."""
+        texture, raw = unit.active, self.raw
+        assert texture is not None
+        target = TARGETS[texture.kind]
+        raw.glActiveTexture(GL_TEXTURE0 + number)
+        kept = self.names.get(texture.images)
         if kept is None:
             self._delete_garbage()
-            kept = self.names[texture] = _Name(self._upload(texture), self.garbage)
-        self.raw.glBindTexture(GL_TEXTURE_2D, kept.name)
+            kept = self.names[texture.images] = _Name(self._upload(texture, target), self.garbage)
+        raw.glBindTexture(target, kept.name)
+        parameters = texture.sampler, unit.lod_bias
+        if kept.parameters != parameters:
+            self._set_parameters(texture, target, unit.lod_bias)
+            kept.parameters = parameters
+
+    def rectangle(self, image: NDArray[Any]) -> None:
+        """Make a rectangle of pixels the one that main.frag looks up."""
+        raw = self.raw
+        raw.glActiveTexture(GL_TEXTURE0 + RECTANGLE_UNIT)
+        if not self.rectangle_name:
+            self.rectangle_name = self._new_name()
+            raw.glBindTexture(GL_TEXTURE_2D, self.rectangle_name)
+            for pname, value in ((GL_TEXTURE_MIN_FILTER, GL_NEAREST), (GL_TEXTURE_MAG_FILTER, GL_NEAREST)):
+                raw.glTexParameteri(GL_TEXTURE_2D, pname, value)
+        raw.glBindTexture(GL_TEXTURE_2D, self.rectangle_name)
+        raw.glPixelStorei(GL_UNPACK_ALIGNMENT, 1)
+        texels = np.ascontiguousarray(image if image.dtype == np.uint8 else image.astype(np.float32))
+        height, width, components = texels.shape
+        internal, format, kind = RECTANGLES[components, texels.dtype.kind]
+        raw.glTexImage2D(GL_TEXTURE_2D, 0, internal, width, height, 0, format, kind, texels.ctypes.data)
+
+    def _new_name(self) -> int:
+        name = ctypes.c_uint()
+        self.raw.glGenTextures(1, ctypes.byref(name))
+        return name.value
 
     def _delete_garbage(self) -> None:
         if self.garbage:
@@ -59,27 +117,48 @@ class Textures:
             self.raw.glDeleteTextures(len(names), names)
             self.garbage.clear()
 
-    def _upload(self, texture: Texture) -> int:
-        raw, target, sampler = self.raw, GL_TEXTURE_2D, texture.sampler
-        name = ctypes.c_uint()
-        raw.glGenTextures(1, ctypes.byref(name))
-        raw.glBindTexture(target, name.value)
+    def _upload(self, texture: Texture, target: int) -> int:
+        raw = self.raw
+        name = self._new_name()
+        raw.glBindTexture(target, name)
         raw.glPixelStorei(GL_UNPACK_ALIGNMENT, 1)
-        levels = sorted(texture.images) if texture.mipmapped else [0]
-        for level in levels:
-            texels = np.ascontiguousarray(texture.images[level].texels)
-            height, width = texels.shape[:2]
-            kind = (GL_RGBA, GL_UNSIGNED_BYTE)
-            raw.glTexImage2D(target, level, GL_RGBA8, width, height, 0, *kind, texels.ctypes.data)
-        parameters: list[tuple[Any, Any]] = [
-            (GL_TEXTURE_MAX_LEVEL, levels[-1]),
+        for (face, level), image in texture.images.by_level.items():
+            if 0 in image.size:
+                continue
+            texels = np.ascontiguousarray(image.texels)
+            size = texels.shape[-2::-1]  # width, height and depth
+            if image.base_format == GL_DEPTH_COMPONENT:
+                form: tuple[int, ...] = (GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_FLOAT)
+            else:
+                form = (GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE)
+            place = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face if texture.kind == CUBE else target
+            upload = raw.glTexImage3D if texture.kind == 3 else raw.glTexImage2D
+            upload(place, level, form[0], *size, 0, *form[1:], texels.ctypes.data)
+        return name
+
+    def _set_parameters(self, texture: Texture, target: int, lod_bias: float) -> None:
+        raw, sampler = self.raw, texture.sampler
+        last = sampler.max_level if texture.mipmapped else sampler.base_level
+        integers: list[tuple[int, int]] = [
             (GL_TEXTURE_MIN_FILTER, sampler.min_filter),
             (GL_TEXTURE_MAG_FILTER, sampler.mag_filter),
-            (GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER if sampler.wrap_s == GL_CLAMP else sampler.wrap_s),
-            (GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER if sampler.wrap_t == GL_CLAMP else sampler.wrap_t),
+            (GL_TEXTURE_BASE_LEVEL, sampler.base_level),
+            (GL_TEXTURE_MAX_LEVEL, max(last, sampler.base_level)),
+            (GL_TEXTURE_COMPARE_MODE, sampler.compare_mode if texture.is_depth else 0),
+            (GL_TEXTURE_COMPARE_FUNC, sampler.compare_func),
         ]
-        for parameter, value in parameters:
-            raw.glTexParameteri(target, parameter, value)
+        wraps = zip(
+            (GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R),
+            (sampler.wrap_s, sampler.wrap_t, sampler.wrap_r),
+            strict=True,
+        )
+        integers += [(pname, GL_CLAMP_TO_BORDER if wrap == GL_CLAMP else wrap) for pname, wrap in wraps]
+        for pname, value in integers:
+            raw.glTexParameteri(target, pname, value)
+        bias = min(max(sampler.lod_bias + lod_bias, -15.0), 15.0)
+        for pname, number in (
+            (GL_TEXTURE_MIN_LOD, sampler.min_lod), (GL_TEXTURE_MAX_LOD, sampler.max_lod), (GL_TEXTURE_LOD_BIAS, bias),
+        ):  # fmt: skip
+            raw.glTexParameterf(target, pname, number)
         border = (ctypes.c_float * 4)(*sampler.border_color)
         raw.glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, border)
-        return name.value

@@ -1,0 +1,269 @@
+"""Buffer objects (section 2.9) and occlusion queries (section 4.1.7)."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.gl.texture import given_names, names_from, new_names
+from glsim.machine.constants import (
+    GL_ARRAY_BUFFER,
+    GL_BUFFER_ACCESS,
+    GL_BUFFER_MAP_POINTER,
+    GL_BUFFER_MAPPED,
+    GL_BUFFER_SIZE,
+    GL_BUFFER_USAGE,
+    GL_CURRENT_QUERY,
+    GL_DYNAMIC_COPY,
+    GL_DYNAMIC_DRAW,
+    GL_DYNAMIC_READ,
+    GL_ELEMENT_ARRAY_BUFFER,
+    GL_QUERY_COUNTER_BITS,
+    GL_QUERY_RESULT,
+    GL_QUERY_RESULT_AVAILABLE,
+    GL_READ_ONLY,
+    GL_READ_WRITE,
+    GL_SAMPLES_PASSED,
+    GL_STATIC_COPY,
+    GL_STATIC_DRAW,
+    GL_STATIC_READ,
+    GL_STREAM_COPY,
+    GL_STREAM_DRAW,
+    GL_STREAM_READ,
+    GL_WRITE_ONLY,
+)
+from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
+from glsim.machine.frame import Query, QueryMark, Vertices
+from glsim.machine.machine import Machine
+
+LARGEST_BUFFER = 1 << 31
+USAGES = (
+    GL_STREAM_DRAW, GL_STREAM_READ, GL_STREAM_COPY, GL_STATIC_DRAW, GL_STATIC_READ, GL_STATIC_COPY, GL_DYNAMIC_DRAW,
+    GL_DYNAMIC_READ, GL_DYNAMIC_COPY,
+)  # fmt: skip
+FIELDS: dict[int, str] = {GL_ARRAY_BUFFER: "array_buffer", GL_ELEMENT_ARRAY_BUFFER: "element_buffer"}
+
+
+class Buffer:
+    """A buffer object.  version counts its changes; vertices keeps what was drawn from it, for the GPU."""
+
+    __slots__ = ("access", "data", "mapped", "usage", "version", "vertices")
+
+    def __init__(self) -> None:
+        self.data: NDArray[np.uint8] = np.zeros(0, np.uint8)
+        self.usage, self.access = int(GL_STATIC_DRAW), int(GL_READ_WRITE)
+        self.mapped = False
+        self.version = 0
+        self.vertices: dict[Any, Vertices] = {}
+
+
+def _bound(m: Machine, target: int) -> Buffer:
+    if target not in FIELDS:
+        raise invalid_enum("target", target, "GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER")
+    name = getattr(m, FIELDS[target])
+    if not name:
+        raise invalid_operation("no buffer is bound to this target: call glBindBuffer first")
+    buffer: Buffer = m.buffers[name]
+    return buffer
+
+
+def glGenBuffers(m: Machine, n: int, buffers: Any = None) -> Any:
+    """As PyOpenGL: one name for n = 1, an array of names for more; or into ``buffers``."""
+    names = new_names(n, set(m.buffers))
+    m.buffers.update(dict.fromkeys(names))
+    return given_names(names, buffers)
+
+
+def glBindBuffer(m: Machine, target: int, buffer: int) -> None:
+    if target not in FIELDS:
+        raise invalid_enum("target", target, "GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER")
+    name = int(buffer or 0)
+    if name and m.buffers.get(name) is None:
+        m.buffers[name] = Buffer()
+    setattr(m, FIELDS[target], name)
+
+
+def glDeleteBuffers(m: Machine, n: Any, buffers: Any = None) -> None:
+    """glDeleteBuffers(n, names), or glDeleteBuffers(names)."""
+    for name in names_from(n, buffers):
+        if m.buffers.pop(name, None) is not None:
+            for field in FIELDS.values():
+                if getattr(m, field) == name:
+                    setattr(m, field, 0)
+
+
+def glIsBuffer(m: Machine, buffer: int) -> int:
+    return int(m.buffers.get(buffer) is not None)
+
+
+def _bytes(data: Any) -> NDArray[np.uint8]:
+    if isinstance(data, (bytes, bytearray, memoryview)):
+        return np.frombuffer(data, np.uint8)
+    if isinstance(data, ctypes.Array):
+        return np.frombuffer(memoryview(data).cast("B"), np.uint8)
+    array = np.asarray(data)
+    if array.dtype.kind not in "biuf":
+        raise TypeError("data must be bytes, an array or None")
+    if not isinstance(data, np.ndarray):
+        array = array.astype(np.float32)
+    return np.ascontiguousarray(array).reshape(-1).view(np.uint8)
+
+
+def glBufferData(m: Machine, target: int, size: Any, data: Any = None, usage: Any = None) -> None:
+    """glBufferData(target, size, data, usage), or in PyOpenGL's form glBufferData(target, data, usage)."""
+    if usage is None:
+        size, data, usage = None, size, data
+    if usage not in USAGES:
+        raise invalid_enum("usage", usage, "GL_STATIC_DRAW, GL_DYNAMIC_DRAW, GL_STREAM_DRAW or a _READ or _COPY form")
+    buffer = _bound(m, target)
+    given = None if data is None else _bytes(data)
+    length = int(size) if size is not None else len(given) if given is not None else 0
+    if length < 0:
+        raise invalid_value("size", length, "at least 0")
+    if length > LARGEST_BUFFER:
+        raise out_of_memory(f"{length} bytes are more than a buffer can hold")
+    if given is not None and len(given) < length:
+        raise ValueError(f"size is {length} bytes, but data has {len(given)}")
+    buffer.data = np.zeros(length, np.uint8) if given is None else given[:length].copy()
+    buffer.usage, buffer.mapped = int(usage), False
+    buffer.version += 1
+
+
+def _part(buffer: Buffer, offset: int, size: int) -> slice:
+    if offset < 0 or size < 0 or offset + size > len(buffer.data):
+        raise invalid_value("offset and size", (offset, size), f"inside of the buffer of {len(buffer.data)} bytes")
+    if buffer.mapped:
+        raise invalid_operation("the buffer is mapped: call glUnmapBuffer first")
+    return slice(offset, offset + size)
+
+
+def glBufferSubData(m: Machine, target: int, offset: int, size: Any, data: Any = None) -> None:
+    """glBufferSubData(target, offset, size, data), or in PyOpenGL's form (target, offset, data)."""
+    buffer = _bound(m, target)
+    given = _bytes(size if data is None else data)
+    length = len(given) if data is None else int(size)
+    if len(given) < length:
+        raise ValueError(f"size is {length} bytes, but data has {len(given)}")
+    buffer.data[_part(buffer, int(offset), length)] = given[:length]
+    buffer.version += 1
+
+
+def glGetBufferSubData(m: Machine, target: int, offset: int, size: int, data: Any = None) -> Any:
+    """Bytes of the buffer as an array of uint8, or into ``data``."""
+    buffer = _bound(m, target)
+    found = buffer.data[_part(buffer, int(offset), int(size))]
+    if data is None:
+        return found.copy()
+    np.asarray(data).reshape(-1).view(np.uint8)[: len(found)] = found
+    return data
+
+
+def glMapBuffer(m: Machine, target: int, access: int) -> int:
+    """The address of the buffer's memory, as PyOpenGL returns it; good until glUnmapBuffer."""
+    if access not in (GL_READ_ONLY, GL_WRITE_ONLY, GL_READ_WRITE):
+        raise invalid_enum("access", access, "GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE")
+    buffer = _bound(m, target)
+    if buffer.mapped:
+        raise invalid_operation("the buffer is mapped already")
+    buffer.mapped, buffer.access = True, int(access)
+    return int(buffer.data.ctypes.data)
+
+
+def glUnmapBuffer(m: Machine, target: int) -> int:
+    buffer = _bound(m, target)
+    if not buffer.mapped:
+        raise invalid_operation("the buffer is not mapped")
+    buffer.mapped = False
+    buffer.version += 1
+    return 1
+
+
+def glGetBufferParameter(m: Machine, target: int, pname: int) -> tuple[float, ...]:
+    buffer = _bound(m, target)
+    values = {
+        GL_BUFFER_SIZE: len(buffer.data), GL_BUFFER_USAGE: buffer.usage, GL_BUFFER_ACCESS: buffer.access,
+        GL_BUFFER_MAPPED: int(buffer.mapped),
+    }  # fmt: skip
+    if pname not in values:
+        raise invalid_enum("pname", pname, "GL_BUFFER_SIZE, GL_BUFFER_USAGE, GL_BUFFER_ACCESS or GL_BUFFER_MAPPED")
+    return (float(values[pname]),)  # type: ignore[index]
+
+
+def glGetBufferPointerv(m: Machine, target: int, pname: int) -> int | None:
+    if pname != GL_BUFFER_MAP_POINTER:
+        raise invalid_enum("pname", pname, "GL_BUFFER_MAP_POINTER")
+    buffer = _bound(m, target)
+    return int(buffer.data.ctypes.data) if buffer.mapped else None
+
+
+# ---------------------------------------------------------------- occlusion queries
+
+ACTIVE = 0  # the key in m.queries of the name that is being counted
+
+
+def glGenQueries(m: Machine, n: int, ids: Any = None) -> Any:
+    """As PyOpenGL: one name for n = 1, an array of names for more; or into ``ids``."""
+    names = new_names(n, set(m.queries))
+    m.queries.update(dict.fromkeys(names))
+    return given_names(names, ids)
+
+
+def glDeleteQueries(m: Machine, n: Any, ids: Any = None) -> None:
+    """glDeleteQueries(n, names), or glDeleteQueries(names)."""
+    for name in names_from(n, ids):
+        if name == m.queries.get(ACTIVE):
+            glEndQuery(m, GL_SAMPLES_PASSED)
+        if name > 0:
+            m.queries.pop(name, None)
+
+
+def glIsQuery(m: Machine, id: int) -> int:
+    return int(id > 0 and m.queries.get(id) is not None)
+
+
+def _check_target(target: int) -> None:
+    if target != GL_SAMPLES_PASSED:
+        raise invalid_enum("target", target, "GL_SAMPLES_PASSED")
+
+
+def glBeginQuery(m: Machine, target: int, id: int) -> None:
+    """Count the samples that pass the depth test until glEndQuery."""
+    _check_target(target)
+    if m.queries.get(ACTIVE):
+        raise invalid_operation(f"query {m.queries[ACTIVE]} has no glEndQuery yet")
+    if id <= 0:
+        raise invalid_operation("id must be a name from glGenQueries, not 0")
+    m.queries[int(id)] = Query()
+    m.queries[ACTIVE] = int(id)
+    m.packets.append(QueryMark(True, m.queries[int(id)]))
+
+
+def glEndQuery(m: Machine, target: int) -> None:
+    _check_target(target)
+    active = m.queries.get(ACTIVE)
+    if not active:
+        raise invalid_operation("there is no glBeginQuery before this glEndQuery")
+    m.packets.append(QueryMark(False, m.queries[active]))
+    m.queries[ACTIVE] = 0
+
+
+def glGetQuery(m: Machine, target: int, pname: int) -> tuple[float, ...]:
+    _check_target(target)
+    if pname == GL_QUERY_COUNTER_BITS:
+        return (32.0,)
+    if pname == GL_CURRENT_QUERY:
+        return (float(m.queries.get(ACTIVE) or 0),)
+    raise invalid_enum("pname", pname, "GL_CURRENT_QUERY or GL_QUERY_COUNTER_BITS")
+
+
+def glGetQueryObject(m: Machine, id: int, pname: int) -> tuple[float, ...]:
+    query = m.queries.get(id) if id > 0 else None
+    if query is None or m.queries.get(ACTIVE) == id:
+        raise invalid_operation(f"{id} is no query that has ended")
+    if pname not in (GL_QUERY_RESULT, GL_QUERY_RESULT_AVAILABLE):
+        raise invalid_enum("pname", pname, "GL_QUERY_RESULT or GL_QUERY_RESULT_AVAILABLE")
+    m.flush()
+    return (float(query.result or 0) if pname == GL_QUERY_RESULT else 1.0,)

@@ -1,0 +1,313 @@
+"""Evaluators: section 5.1 of the specification.  Bezier curves and surfaces made of control points."""
+
+from __future__ import annotations
+
+from math import comb
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.machine.constants import (
+    GL_COEFF,
+    GL_DOMAIN,
+    GL_FILL,
+    GL_FLAT,
+    GL_LINE,
+    GL_LINE_STRIP,
+    GL_MAP1_COLOR_4,
+    GL_MAP2_COLOR_4,
+    GL_ORDER,
+    GL_POINT,
+    GL_POINTS,
+    GL_QUAD_STRIP,
+    GL_TRIANGLE_STRIP,
+)
+from glsim.machine.errors import invalid_enum, invalid_value
+from glsim.machine.frame import ROW, ROW_BYTES
+from glsim.machine.machine import Machine
+
+Float = NDArray[np.float64]
+MAX_EVAL_ORDER = 30
+# the nine maps from GL_MAP1_COLOR_4 and from GL_MAP2_COLOR_4 on: what they give, and how many numbers
+COLOR, INDEX, NORMAL, TEXTURE_1, TEXTURE_2, TEXTURE_3, TEXTURE_4, VERTEX_3, VERTEX_4 = range(9)
+COMPONENTS = (4, 1, 3, 1, 2, 3, 4, 3, 4)
+
+
+class Map(NamedTuple):
+    """Control points (order, k) or (order u, order v, k), and the domain (u1, u2) or (u1, u2, v1, v2)."""
+
+    points: Float
+    domain: tuple[float, ...]
+
+
+def _what(target: int, dimensions: int) -> int:
+    what = int(target) - (GL_MAP1_COLOR_4 if dimensions == 1 else GL_MAP2_COLOR_4)
+    if not 0 <= what < 9:
+        raise invalid_enum("target", target, f"a map such as GL_MAP{dimensions}_VERTEX_3")
+    return what
+
+
+def _check(names: str, low: float, high: float, stride: int, order: int, components: int) -> None:
+    if low == high:
+        raise invalid_value(names, (low, high), "two different numbers")
+    if stride < components:
+        raise invalid_value("stride", stride, f"at least {components}")
+    if not 1 <= order <= MAX_EVAL_ORDER:
+        raise invalid_value("order", order, f"from 1 to {MAX_EVAL_ORDER}")
+
+
+def _taken(points: Any, index: NDArray[np.int64]) -> Float:
+    """Control points out of the program's array of numbers."""
+    flat = np.asarray(points, np.float64).ravel()
+    if index.max() >= flat.size:
+        raise ValueError(f"points has {flat.size} numbers, but the map needs {int(index.max()) + 1}")
+    return flat[index]
+
+
+def glMap1f(m: Machine, target: int, u1: float, u2: float, stride: Any, order: Any = None, points: Any = None) -> None:
+    """glMap1f(target, u1, u2, stride, order, points), or in PyOpenGL's form glMap1f(target, u1, u2, points).
+
+    points: (order, k) numbers.
+    """
+    what = _what(target, 1)
+    k = COMPONENTS[what]
+    if points is None:
+        points = np.asarray(stride, np.float64)
+        if points.ndim != 2:
+            raise ValueError(f"points must have the shape (order, {k}), not {points.shape}")
+        order, stride = points.shape
+    _check("u1 and u2", u1, u2, stride, order, k)
+    index = np.arange(order)[:, None] * int(stride) + np.arange(k)
+    m.maps[target] = Map(_taken(points, index), (float(u1), float(u2)))
+
+
+glMap1d = glMap1f  # noqa: N816
+
+
+def glMap2f(
+    m: Machine, target: int, u1: float, u2: float, ustride: Any, uorder: Any, v1: Any, v2: Any = None,
+    vstride: Any = None, vorder: Any = None, points: Any = None,
+) -> None:  # fmt: skip
+    """glMap2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points), or in PyOpenGL's form
+    glMap2f(target, u1, u2, v1, v2, points).
+
+    points: (uorder, vorder, k) numbers.
+    """
+    what = _what(target, 2)
+    k = COMPONENTS[what]
+    if points is None:
+        points = np.asarray(v1, np.float64)
+        v1, v2 = ustride, uorder
+        if points.ndim != 3:
+            raise ValueError(f"points must have the shape (uorder, vorder, {k}), not {points.shape}")
+        uorder, vorder, vstride = points.shape
+        ustride = vorder * vstride
+    _check("u1 and u2", u1, u2, ustride, uorder, k)
+    _check("v1 and v2", v1, v2, vstride, vorder, k)
+    u, v = np.arange(uorder)[:, None, None] * int(ustride), np.arange(vorder)[:, None] * int(vstride)
+    m.maps[target] = Map(_taken(points, u + v + np.arange(k)), (float(u1), float(u2), float(v1), float(v2)))
+
+
+glMap2d = glMap2f  # noqa: N816
+
+
+def glMapGrid1f(m: Machine, un: int, u1: float, u2: float) -> None:
+    if un < 1:
+        raise invalid_value("un", un, "at least 1")
+    m.evaluators = m.evaluators._replace(grid_1=(int(un), float(u1), float(u2)))
+
+
+glMapGrid1d = glMapGrid1f  # noqa: N816
+
+
+def glMapGrid2f(m: Machine, un: int, u1: float, u2: float, vn: int, v1: float, v2: float) -> None:
+    if un < 1 or vn < 1:
+        raise invalid_value("un and vn", (un, vn), "at least 1")
+    m.evaluators = m.evaluators._replace(grid_2=(int(un), float(u1), float(u2), int(vn), float(v1), float(v2)))
+
+
+glMapGrid2d = glMapGrid2f  # noqa: N816
+
+
+# ---------------------------------------------------------------- evaluation
+
+
+def bernstein(order: int, t: Float) -> Float:
+    """Bernstein polynomials of degree order - 1 at t (n,): (n, order)."""
+    i = np.arange(order)
+    binomial = np.array([comb(order - 1, int(k)) for k in i], np.float64)
+    return np.asarray(binomial * t[:, None] ** i * (1.0 - t[:, None]) ** (order - 1 - i))
+
+
+def bernstein_derivative(order: int, t: Float) -> Float:
+    """Derivatives by t of the Bernstein polynomials: (n, order)."""
+    result = np.zeros((len(t), order))
+    if order > 1:
+        lower = (order - 1) * bernstein(order - 1, t)
+        result[:, 1:] += lower
+        result[:, :-1] -= lower
+    return result
+
+
+def _at(map: Map, places: tuple[Float, ...], derive: int | None = None) -> Float:
+    """The map, or its derivative by u (0) or v (1), at some places: (n, k)."""
+    bases = []
+    for axis, t in enumerate(places):
+        low, high = map.domain[2 * axis : 2 * axis + 2]
+        basis = bernstein_derivative if derive == axis else bernstein
+        bases.append(basis(map.points.shape[axis], (t - low) / (high - low)))
+    letters = "ni,ik->nk" if len(places) == 1 else "ni,nj,ijk->nk"
+    return np.asarray(np.einsum(letters, *bases, map.points))
+
+
+def evaluate(m: Machine, *places: Float) -> tuple[NDArray[np.float32], dict[str, NDArray[np.float32]]] | None:
+    """Vertices at u (n,) or u, v (n,) of the enabled maps: rows (n, 10) and columns; None without a vertex map.
+
+    What no map gives is current.
+    """
+    dimensions = len(places)
+    enabled = m.evaluators.enabled_1 if dimensions == 1 else m.evaluators.enabled_2
+    first = int(GL_MAP1_COLOR_4 if dimensions == 1 else GL_MAP2_COLOR_4)
+    maps = {what: m.maps.get(first + what, _default(what, dimensions)) for what in range(9) if enabled[what]}
+    vertex = maps.get(VERTEX_4, maps.get(VERTEX_3))
+    if vertex is None:
+        return None
+    rows = np.empty((len(places[0]), ROW), np.float32)
+    columns: dict[str, NDArray[np.float32]] = {}
+    P = _at(vertex, places)
+    rows[:, :3] = P[:, :3]
+    if P.shape[1] == 4:
+        columns["w"] = P[:, 3:].astype(np.float32)
+    if dimensions == 2 and m.evaluators.auto_normal:
+        rows[:, 3:6] = _normals(vertex, P, places)
+    else:
+        rows[:, 3:6] = _at(maps[NORMAL], places) if NORMAL in maps else (m.nx, m.ny, m.nz)
+    rows[:, 6:10] = _at(maps[COLOR], places) if COLOR in maps else (m.red, m.green, m.blue, m.alpha)
+    for what in (TEXTURE_4, TEXTURE_3, TEXTURE_2, TEXTURE_1):
+        if what in maps:
+            coordinates = np.tile(np.array([0.0, 0.0, 0.0, 1.0], np.float32), (len(rows), 1))
+            coordinates[:, : COMPONENTS[what]] = _at(maps[what], places)
+            columns["texcoord0"] = coordinates
+            break
+    return rows, columns
+
+
+def _default(what: int, dimensions: int) -> Map:
+    """Initial control point of a map (table 6.22)."""
+    point = {COLOR: [1.0] * 4, INDEX: [1.0], NORMAL: [0.0, 0.0, 1.0]}.get(what)
+    point = point or [0.0, 0.0, 0.0, 1.0][: COMPONENTS[what]]
+    return Map(np.array(point).reshape((1,) * dimensions + (-1,)), (0.0, 1.0) * dimensions)
+
+
+def _normals(vertex: Map, P: Float, places: tuple[Float, ...]) -> Float:
+    """GL_AUTO_NORMAL: the unit vector along dP/du x dP/dv."""
+    du, dv = _at(vertex, places, 0), _at(vertex, places, 1)
+    if P.shape[1] == 4:  # derivatives of x / w, but for a positive factor
+        du, dv = (d[:, :3] * P[:, 3:] - P[:, :3] * d[:, 3:] for d in (du, dv))
+    N = np.cross(du, dv)
+    length = np.linalg.norm(N, axis=1, keepdims=True)
+    return np.asarray(np.divide(N, length, out=np.zeros_like(N), where=length > 0.0))
+
+
+def _vertex(m: Machine, *places: float) -> None:
+    """One vertex between glBegin and glEnd; the current values stay."""
+    found = evaluate(m, *(np.array([float(t)]) for t in places))
+    if found is None or m.inside is None:
+        return
+    rows, columns = found
+    if "texcoord0" in columns:
+        before = m.current["texcoord0"]
+        m.set_current("texcoord0", tuple(columns["texcoord0"][0].tolist()))
+    if "w" in columns:
+        m.columns.append(("w", m.stream.tell() // ROW_BYTES, columns["w"]))
+    m.write(rows.tobytes())
+    if "texcoord0" in columns:
+        m.set_current("texcoord0", before)
+
+
+def glEvalCoord(m: Machine, u: float, v: float | None = None) -> None:
+    if v is None:
+        _vertex(m, u)
+    else:
+        _vertex(m, u, v)
+
+
+# ---------------------------------------------------------------- grids
+
+
+def _grid(steps: int, low: float, high: float, chosen: NDArray[np.int64]) -> Float:
+    """Places on a grid; its end is hit exactly."""
+    return np.where(chosen == steps, high, chosen * ((high - low) / steps) + low)
+
+
+def glEvalPoint1(m: Machine, p: int) -> None:
+    _vertex(m, _grid(*m.evaluators.grid_1, np.array(int(p))))  # type: ignore[arg-type]
+
+
+def glEvalPoint2(m: Machine, p: int, q: int) -> None:
+    grid = m.evaluators.grid_2
+    _vertex(m, _grid(*grid[:3], np.array(int(p))), _grid(*grid[3:], np.array(int(q))))  # type: ignore[arg-type]
+
+
+MOST_STEPS = 1 << 20
+
+
+def _range(m: Machine, first: int, last: int) -> NDArray[np.int64]:
+    if last - first > MOST_STEPS:
+        raise invalid_value("the range of the mesh", (first, last), f"of at most {MOST_STEPS} steps")
+    return np.arange(int(first), int(last) + 1)
+
+
+def glEvalMesh1(m: Machine, mode: int, p1: int, p2: int) -> None:
+    if mode not in (GL_POINT, GL_LINE):
+        raise invalid_enum("mode", mode, "GL_POINT or GL_LINE")
+    chosen = _range(m, p1, p2)
+    found = evaluate(m, _grid(*m.evaluators.grid_1, chosen)) if len(chosen) else None
+    if found is not None:
+        m.add_draw(GL_POINTS if mode == GL_POINT else GL_LINE_STRIP, *found, None)
+
+
+def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> None:
+    if mode not in (GL_POINT, GL_LINE, GL_FILL):
+        raise invalid_enum("mode", mode, "GL_POINT, GL_LINE or GL_FILL")
+    p, q = _range(m, p1, p2), _range(m, q1, q2)
+    if not len(p) or not len(q):
+        return
+    if len(p) * len(q) > MOST_STEPS:
+        raise invalid_value("the range of the mesh", (p1, p2, q1, q2), f"of at most {MOST_STEPS} points")
+    grid = m.evaluators.grid_2
+    u, v = np.meshgrid(_grid(*grid[:3], p), _grid(*grid[3:], q), indexing="ij")
+    found = evaluate(m, u.ravel(), v.ravel())
+    if found is None:
+        return
+    number = np.arange(u.size).reshape(u.shape)  # of the grid point (p, q)
+    strips: list[tuple[int, Any]]
+    if mode == GL_POINT:
+        strips = [(GL_POINTS, number.ravel())]
+    elif mode == GL_LINE:
+        strips = [(GL_LINE_STRIP, column) for column in number.T] + [(GL_LINE_STRIP, row) for row in number]
+    else:
+        # quads may be cut along either diagonal; where it is not seen that they are quads, cut them as drivers do
+        filled = m.polygon.front_mode == m.polygon.back_mode == GL_FILL and m.lighting.shade_model != GL_FLAT
+        area = GL_TRIANGLE_STRIP if filled else GL_QUAD_STRIP
+        strips = [(area, number[:, k : k + 2].ravel()) for k in range(len(q) - 1)]
+    rows, columns = found
+    for kind, chosen in strips:
+        m.add_draw(kind, rows[chosen], {name: values[chosen] for name, values in columns.items()}, None)
+
+
+# ---------------------------------------------------------------- queries
+
+
+def glGetMap(m: Machine, target: int, query: int) -> tuple[float, ...]:
+    dimensions = 1 if 0 <= target - GL_MAP1_COLOR_4 < 9 else 2
+    what = _what(target, dimensions)
+    map = m.maps.get(target, _default(what, dimensions))
+    if query == GL_COEFF:
+        return tuple(float(number) for number in map.points.ravel())
+    if query == GL_ORDER:
+        return tuple(float(n) for n in map.points.shape[:-1])
+    if query == GL_DOMAIN:
+        return map.domain
+    raise invalid_enum("query", query, "GL_COEFF, GL_ORDER or GL_DOMAIN")

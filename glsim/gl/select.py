@@ -1,0 +1,440 @@
+"""Selection and feedback: sections 5.2 and 5.3 of the specification.
+
+In these modes nothing is drawn.  Primitives go through the vertex stage and the clipping on the CPU; selection notes
+whether any was left and how deep it lay, feedback writes down what was left.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.gl.stage import vertex_stage, window
+from glsim.machine.assembly import complete, corners, outlines
+from glsim.machine.constants import (
+    GL_2D,
+    GL_3D,
+    GL_3D_COLOR,
+    GL_3D_COLOR_TEXTURE,
+    GL_4D_COLOR_TEXTURE,
+    GL_BACK,
+    GL_BITMAP_TOKEN,
+    GL_CCW,
+    GL_COPY_PIXEL_TOKEN,
+    GL_DRAW_PIXEL_TOKEN,
+    GL_FEEDBACK,
+    GL_FLAT,
+    GL_FRONT,
+    GL_LINE,
+    GL_LINE_LOOP,
+    GL_LINE_RESET_TOKEN,
+    GL_LINE_TOKEN,
+    GL_LINES,
+    GL_PASS_THROUGH_TOKEN,
+    GL_POINT,
+    GL_POINT_TOKEN,
+    GL_POLYGON_TOKEN,
+    GL_RENDER,
+    GL_SELECT,
+)
+from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, stack_overflow, stack_underflow
+from glsim.machine.frame import Draw, Packet, Pixels
+from glsim.machine.machine import Machine
+from glsim.machine.state import RasterPosition
+
+Float = NDArray[np.float64]
+MAX_NAME_STACK_DEPTH = 64
+LARGEST_DEPTH = 4294967295  # depths in hit records are multiplied by 2^32 - 1
+
+
+class SelectRecord(NamedTuple):
+    """One hit, as PyOpenGL returns it: nearest and farthest depth in [0, 1], and the names on the stack."""
+
+    near: float
+    far: float
+    names: list[int]
+
+
+class FeedbackVertex(NamedTuple):
+    """A vertex of feedback, as PyOpenGL returns it; what the type of feedback lacks is None."""
+
+    vertex: NDArray[np.float32]
+    color: NDArray[np.float32] | None = None
+    texture: NDArray[np.float32] | None = None
+
+
+@dataclass
+class Selection:
+    """Buffer of glSelectBuffer, the name stack, and the hit that is being noted."""
+
+    buffer: NDArray[np.uint32]
+    names: list[int] = field(default_factory=list)
+    depths: tuple[float, float] | None = None
+    used: int = 0
+    records: int = 0
+    overflow: bool = False
+
+    def note(self, near: float, far: float) -> None:
+        old = self.depths or (near, far)
+        self.depths = min(near, old[0]), max(far, old[1])
+
+    def close(self) -> None:
+        """Write the hit record, before the name stack changes."""
+        if self.depths is None:
+            return
+        near, far = (round(min(max(depth, 0.0), 1.0) * LARGEST_DEPTH) for depth in self.depths)
+        record = [len(self.names), near, far, *self.names]
+        room = record[: max(len(self.buffer) - self.used, 0)]
+        self.buffer[self.used : self.used + len(room)] = room
+        self.overflow |= len(room) < len(record)
+        self.used += len(record)
+        self.records += 1
+        self.depths = None
+
+    def parse(self) -> list[SelectRecord]:
+        found, at = [], 0
+        for _ in range(self.records):
+            count, near, far = (int(value) for value in self.buffer[at : at + 3])
+            names = self.buffer[at + 3 : at + 3 + count].tolist()
+            found.append(SelectRecord(near / LARGEST_DEPTH, far / LARGEST_DEPTH, names))
+            at += 3 + count
+        return found
+
+
+@dataclass
+class Feedback:
+    """Buffer of glFeedbackBuffer and what was written into it."""
+
+    buffer: NDArray[np.float32]
+    type: int
+    used: int = 0
+    records: list[tuple[Any, ...]] = field(default_factory=list)
+
+    def write(self, token: int, *vertices: Float, count: bool = False) -> None:
+        """A token and its vertices, rows of x y z w, colour, texture coordinates."""
+        values = [float(token), *([float(len(vertices))] if count else [])]
+        parts = [self._parts(vertex) for vertex in vertices]
+        for part in parts:
+            values += [float(v) for piece in part if piece is not None for v in piece]
+        self._append(values)
+        self.records.append((token, *(FeedbackVertex(*part) for part in parts)))
+
+    def pass_through(self, token: float) -> None:
+        self._append([float(GL_PASS_THROUGH_TOKEN), token])
+        self.records.append((GL_PASS_THROUGH_TOKEN, token))
+
+    def _append(self, values: list[float]) -> None:
+        room = values[: max(len(self.buffer) - self.used, 0)]
+        self.buffer[self.used : self.used + len(room)] = room
+        self.used += len(values)
+
+    def _parts(self, vertex: Float) -> tuple[Any, Any, Any]:
+        row = vertex.astype(np.float32)
+        size = {GL_2D: 2, GL_4D_COLOR_TEXTURE: 4}.get(self.type, 3)  # type: ignore[call-overload]
+        color = row[4:8] if self.type not in (GL_2D, GL_3D) else None
+        texture = row[8:12] if self.type in (GL_3D_COLOR_TEXTURE, GL_4D_COLOR_TEXTURE) else None
+        return row[:size], color, texture
+
+
+# ---------------------------------------------------------------- commands
+
+
+def render_mode(m: Machine) -> int:
+    if m.collector is None:
+        return GL_RENDER
+    return GL_SELECT if m.collector.__name__ == "_select" else GL_FEEDBACK
+
+
+def glSelectBuffer(m: Machine, size: int, buffer: Any = None) -> Any:
+    """Make, or use, the array of uint32 that hit records are written into; it is returned."""
+    if m.collector is not None:
+        raise invalid_operation("not allowed in selection or feedback mode")
+    m.selection = Selection(_buffer(size, buffer, np.uint32))
+    return m.selection.buffer
+
+
+def _buffer(size: int, buffer: Any, dtype: type) -> Any:
+    if size < 0:
+        raise invalid_value("size", size, "at least 0")
+    if buffer is None:
+        return np.zeros(int(size), dtype)
+    array = np.asarray(buffer)
+    if array is not buffer or array.dtype.itemsize != 4 or array.size < size:
+        raise TypeError(f"buffer must be an array of {size} numbers of type {np.dtype(dtype)}")
+    return array.reshape(-1)
+
+
+FEEDBACK_TYPES = (GL_2D, GL_3D, GL_3D_COLOR, GL_3D_COLOR_TEXTURE, GL_4D_COLOR_TEXTURE)
+
+
+def glFeedbackBuffer(m: Machine, size: int, type: int, buffer: Any = None) -> Any:
+    """Make, or use, the array of float32 that feedback is written into; it is returned."""
+    if m.collector is not None:
+        raise invalid_operation("not allowed in selection or feedback mode")
+    if type not in FEEDBACK_TYPES:
+        raise invalid_enum("type", type, "GL_2D, GL_3D, GL_3D_COLOR, GL_3D_COLOR_TEXTURE or GL_4D_COLOR_TEXTURE")
+    m.feedback = Feedback(_buffer(size, buffer, np.float32), type)
+    return m.feedback.buffer
+
+
+def glRenderMode(m: Machine, mode: int) -> Any:
+    """Begin GL_SELECT or GL_FEEDBACK, or end it.  As PyOpenGL, ending returns a list: SelectRecord for each hit, or
+    (token, FeedbackVertex, ...) for each primitive.  Raises GL_STACK_OVERFLOW if the buffer was too small."""
+    if mode not in (GL_RENDER, GL_SELECT, GL_FEEDBACK):
+        raise invalid_enum("mode", mode, "GL_RENDER, GL_SELECT or GL_FEEDBACK")
+    if (mode == GL_SELECT and m.selection is None) or (mode == GL_FEEDBACK and m.feedback is None):
+        name = "glSelectBuffer" if mode == GL_SELECT else "glFeedbackBuffer"
+        raise invalid_operation(f"call {name} first, so that there is room for what is found")
+    m.flush()
+    before, result = render_mode(m), 0
+    if before == GL_SELECT:
+        m.selection.close()
+    selection, feedback = m.selection, m.feedback
+    _enter(m, mode)
+    if before == GL_SELECT:
+        if selection.overflow:
+            raise stack_overflow(f"the buffer of glSelectBuffer holds {len(selection.buffer)} numbers: too few")
+        return selection.parse()
+    if before == GL_FEEDBACK:
+        if feedback.used > len(feedback.buffer):
+            raise stack_overflow(f"the buffer of glFeedbackBuffer holds {len(feedback.buffer)} numbers: too few")
+        return feedback.records
+    return result
+
+
+def _enter(m: Machine, mode: int) -> None:
+    if mode == GL_SELECT:
+        selection = m.selection = Selection(m.selection.buffer)
+
+        def _select(packets: list[Packet]) -> None:
+            for draw in packets:
+                if isinstance(draw, Draw):
+                    select(selection, draw)
+
+        m.collector = _select
+    elif mode == GL_FEEDBACK:
+        feedback = m.feedback = Feedback(m.feedback.buffer, m.feedback.type)
+
+        def _feed_back(packets: list[Packet]) -> None:
+            for packet in packets:
+                feed_back(feedback, packet)
+
+        m.collector = _feed_back
+    else:
+        m.collector = None
+
+
+def _selecting(m: Machine) -> Selection | None:
+    """The selection in selection mode, with its hit record closed: the name stack is about to change."""
+    if render_mode(m) != GL_SELECT:
+        return None
+    m.flush()
+    selection: Selection = m.selection
+    selection.close()
+    return selection
+
+
+def glInitNames(m: Machine) -> None:
+    selection = _selecting(m)
+    if selection is not None:
+        selection.names = []
+
+
+def glPushName(m: Machine, name: int) -> None:
+    selection = _selecting(m)
+    if selection is not None:
+        if len(selection.names) >= MAX_NAME_STACK_DEPTH:
+            raise stack_overflow(f"the name stack holds {MAX_NAME_STACK_DEPTH} names and is full: glPopName missing?")
+        selection.names.append(int(name) & 0xFFFFFFFF)
+
+
+def glPopName(m: Machine) -> None:
+    selection = _selecting(m)
+    if selection is not None:
+        if not selection.names:
+            raise stack_underflow("the name stack is empty: more glPopName than glPushName")
+        selection.names.pop()
+
+
+def glLoadName(m: Machine, name: int) -> None:
+    if render_mode(m) == GL_SELECT and not m.selection.names:
+        raise invalid_operation("the name stack is empty: call glPushName first")
+    selection = _selecting(m)
+    if selection is not None:
+        selection.names[-1] = int(name) & 0xFFFFFFFF
+
+
+def glPassThrough(m: Machine, token: float) -> None:
+    if render_mode(m) == GL_FEEDBACK:
+        m.flush()
+        m.feedback.pass_through(float(token))
+
+
+def raster_hit(m: Machine) -> None:
+    """A valid raster position is a hit in selection mode."""
+    if m.collector is not None and render_mode(m) == GL_SELECT:
+        m.flush()
+        m.selection.note(m.raster.z, m.raster.z)
+
+
+# ---------------------------------------------------------------- primitives
+
+
+class Primitive(NamedTuple):
+    """Rows of one primitive that clipping left: clip coordinates, colour, texture coordinates (k, 12)."""
+
+    corners: int
+    rows: Float
+    reset: bool  # a line that begins a stipple pattern anew
+
+
+def _shapes(draw: Draw) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
+    """Vertex numbers of the primitives (n, k), and of their provoking vertices (n,)."""
+    count = draw.count if draw.indices is None else len(draw.indices)
+    kind, whole = corners(draw.mode), complete(draw.mode, count)
+    i = np.arange(whole, dtype=np.uint32)
+    if kind == 3:
+        shapes, provoking = outlines(draw.mode, count)
+    elif kind == 1:
+        shapes, provoking = i[:, None], i
+    else:
+        shapes = i.reshape(-1, 2) if draw.mode == GL_LINES else np.stack([i[:-1], i[1:]], axis=1)
+        if draw.mode == GL_LINE_LOOP and whole:
+            shapes = np.concatenate([shapes, [[whole - 1, 0]]]).astype(np.uint32)
+        provoking = shapes[:, 1]
+    numbers = (np.arange(count, dtype=np.uint32) if draw.indices is None else draw.indices) + np.uint32(draw.first)
+    return numbers[shapes], numbers[provoking]
+
+
+def _distances(draw: Draw, clip: Float, eye: Float) -> Float:
+    """Signed distances (n, p) from the planes of the clip volume; negative is outside."""
+    x, y, z, w = clip.T
+    planes = [w + x, w - x, w + y, w - y, w + z, w - z]
+    transform = draw.state.transform
+    for plane, enabled in zip(transform.clip_planes, transform.clip_enabled, strict=True):
+        if enabled:
+            planes.append(eye @ np.array(plane))
+    return np.stack(planes, axis=1)
+
+
+def _front(clip: Float, ccw: bool) -> bool:
+    """Whether a polygon shows its front: the sign of its area (equation 3.7)."""
+    area = sum(np.linalg.det(clip[[0, k, k + 1]][:, [0, 1, 3]]) for k in range(1, len(clip) - 1))
+    return bool((area > 0) == ccw)
+
+
+def _culled(draw: Draw, front: bool) -> bool:
+    polygon = draw.state.polygon
+    return polygon.cull and polygon.cull_face not in (GL_BACK if front else GL_FRONT,)
+
+
+def _clipped(rows: Float, distances: Float, kind: int) -> Float:
+    """What is left of one primitive: rows (k, c) cut where a distance (k, p) is negative (Sutherland and Hodgman)."""
+    both = np.concatenate([rows, distances], axis=1)
+    width = rows.shape[1]
+    for plane in range(width, both.shape[1]):
+        if not len(both):
+            break
+        kept = []
+        last = len(both) if kind == 3 else len(both) - 1
+        for k in range(len(both)):
+            a, b = both[k], both[(k + 1) % len(both)]
+            if a[plane] >= 0.0:
+                kept.append(a)
+            if k < last and (a[plane] >= 0.0) != (b[plane] >= 0.0):
+                t = a[plane] / (a[plane] - b[plane])
+                kept.append(a + t * (b - a))
+        both = np.array(kept).reshape(-1, both.shape[1])
+    return both[:, :width]
+
+
+# ---------------------------------------------------------------- selection
+
+
+def select(selection: Selection, draw: Draw) -> None:
+    """Note the depths of those primitives of a Draw that are in the clip volume."""
+    shapes, _ = _shapes(draw)
+    if not len(shapes):
+        return
+    chosen, places = np.unique(shapes, return_inverse=True)
+    stage = vertex_stage(draw, chosen.astype(np.uint32), 0)
+    distances = _distances(draw, stage.clip, stage.eye)
+    places = places.reshape(shapes.shape)
+    outside: NDArray[np.bool_] = np.less(distances[places], 0.0)  # (primitives, corners, planes)
+    whole: NDArray[np.bool_] = np.logical_not(outside.any(axis=(1, 2)))
+    partly: NDArray[np.bool_] = np.logical_not(outside.all(axis=1).any(axis=1)) & ~whole
+    depth = window(stage.clip, draw.state.viewport)[:, 2]
+    ccw = draw.state.polygon.front_face == GL_CCW
+    kind = corners(draw.mode)
+    if kind == 3 and draw.state.polygon.cull:
+        for k in np.flatnonzero(whole | partly):
+            if _culled(draw, _front(stage.clip[places[k]], ccw)):
+                whole[k] = partly[k] = False
+    if whole.any():
+        seen = depth[places[whole]]
+        selection.note(float(seen.min()), float(seen.max()))
+    for k in np.flatnonzero(partly):
+        left = _clipped(stage.clip[places[k]], distances[places[k]], kind)
+        if len(left):
+            seen = window(left, draw.state.viewport)[:, 2]
+            selection.note(float(seen.min()), float(seen.max()))
+
+
+# ---------------------------------------------------------------- feedback
+
+
+def feed_back(feedback: Feedback, packet: Packet) -> None:
+    if isinstance(packet, Pixels):
+        tokens = {"bitmap": GL_BITMAP_TOKEN}
+        token = GL_COPY_PIXEL_TOKEN if packet.copied else tokens.get(packet.kind, GL_DRAW_PIXEL_TOKEN)
+        feedback.write(token, _raster_row(packet.raster))
+    elif isinstance(packet, Draw):
+        for primitive in _primitives(packet):
+            rows = primitive.rows.copy()
+            rows[:, :4] = window(rows[:, :4], packet.state.viewport)
+            if primitive.corners == 1:
+                feedback.write(GL_POINT_TOKEN, *rows)
+            elif primitive.corners == 2:
+                feedback.write(GL_LINE_RESET_TOKEN if primitive.reset else GL_LINE_TOKEN, *rows)
+            else:
+                feedback.write(GL_POLYGON_TOKEN, *rows, count=True)
+
+
+def _raster_row(raster: RasterPosition) -> Float:
+    return np.array([raster.x, raster.y, raster.z, raster.w, *raster.color, *raster.texcoords[0]])
+
+
+def _primitives(draw: Draw) -> Iterator[Primitive]:
+    """What clipping leaves of a Draw, in its order; polygons as glPolygonMode says."""
+    shapes, provoking = _shapes(draw)
+    if not len(shapes):
+        return
+    chosen, places = np.unique(np.concatenate([shapes.ravel(), provoking]), return_inverse=True)
+    stage = vertex_stage(draw, chosen.astype(np.uint32), 1)
+    distances = _distances(draw, stage.clip, stage.eye)
+    kind, polygon = corners(draw.mode), draw.state.polygon
+    flat = draw.state.lighting.shade_model == GL_FLAT
+    rings, last = places[: shapes.size].reshape(shapes.shape), places[shapes.size :]
+    for number, (ring, provoker) in enumerate(zip(rings, last, strict=True)):
+        front = kind < 3 or _front(stage.clip[ring], polygon.front_face == GL_CCW)
+        if kind == 3 and _culled(draw, front):
+            continue
+        colors = stage.front if front else stage.back
+        color = np.repeat(colors[[provoker]], len(ring), axis=0) if flat else colors[ring]
+        rows = np.concatenate([stage.clip[ring], color, stage.texcoords[0][ring]], axis=1)
+        mode = polygon.front_mode if front else polygon.back_mode
+        reset = draw.mode == GL_LINES or number == 0
+        if kind == 3 and mode == GL_POINT:
+            parts = [(1, [k]) for k in range(len(ring))]
+        elif kind == 3 and mode == GL_LINE:
+            parts = [(2, [k, (k + 1) % len(ring)]) for k in range(len(ring))]
+        else:
+            parts = [(kind, list(range(len(ring))))]
+        for k, (size, part) in enumerate(parts):
+            left = _clipped(rows[part], distances[ring][part], size)
+            if len(left) >= size:
+                yield Primitive(size, left, reset and k == 0)

@@ -1,0 +1,185 @@
+"""A vertex's way to the screen on the CPU: what the raster position, selection and feedback need of it.
+
+The same steps as in shaders/main.vert, in float64.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim import shading
+from glsim.machine.constants import (
+    GL_AMBIENT,
+    GL_AMBIENT_AND_DIFFUSE,
+    GL_BACK,
+    GL_DIFFUSE,
+    GL_EYE_LINEAR,
+    GL_FLIP_NORMAL_GLSIM,
+    GL_FRONT,
+    GL_NORMAL_MAP,
+    GL_OBJECT_LINEAR,
+    GL_PHONG_LOBE_GLSIM,
+    GL_SEPARATE_SPECULAR_COLOR,
+    GL_SPECULAR,
+    GL_SPHERE_MAP,
+)
+from glsim.machine.frame import Draw
+from glsim.machine.state import Face, Light, Lighting, TextureUnit, Viewport
+from glsim.shading.terms import dot
+
+Float = NDArray[np.float64]
+TRACKED: dict[int, tuple[str, ...]] = {
+    GL_AMBIENT: ("ambient",), GL_DIFFUSE: ("diffuse",), GL_AMBIENT_AND_DIFFUSE: ("ambient", "diffuse"),
+    GL_SPECULAR: ("specular",),
+}  # fmt: skip
+
+
+class Stage(NamedTuple):
+    """Vertices after transformation and lighting: eye and clip coordinates and colours of both sides (n, 4),
+    highlight apart (n, 3), texture coordinates by unit (n, 4)."""
+
+    eye: Float
+    clip: Float
+    front: Float
+    back: Float
+    highlight: Float
+    texcoords: list[Float]
+
+
+def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int = 1) -> Stage:
+    """The vertices ``chosen`` (numbers in the draw's block) as the GPU would have them."""
+    block, state = draw.block, draw.state
+    modelview, projection, *textures = (matrix.get().astype(np.float64) for matrix in draw.matrices)
+    P = np.ones((len(chosen), 4))
+    P[:, :3] = block.rows[chosen, :3]
+    if "w" in block.columns:
+        P[:, 3] = block.column("w")[chosen, 0]
+    color = np.asarray(block.rows[chosen, 6:10] if draw.color is None else [draw.color] * len(chosen), np.float64)
+    eye = P @ modelview
+    N = _normals(draw, block.rows[chosen, 3:6].astype(np.float64), modelview)
+    front = back = np.clip(color, 0.0, 1.0)
+    highlight = np.zeros((len(chosen), 3))
+    if state.lighting.enabled:
+        with np.errstate(all="ignore"):
+            point = eye[:, :3] / eye[:, 3:]
+        front, highlight = _lit(draw, chosen, GL_FRONT, N, point, color)
+        back = _lit(draw, chosen, GL_BACK, -N, point, color)[0] if state.lighting.two_side else front
+    elif state.fog.color_sum:
+        highlight = block.column("secondary_color")[chosen, :3].astype(np.float64)
+    texcoords = []
+    for number in range(units):
+        matrix = textures[number] if number < len(textures) else np.eye(4)
+        given = block.column(f"texcoord{number}")[chosen].astype(np.float64)
+        texcoords.append(_generated(state.texture.units[number], given, P, eye, N) @ matrix)
+    return Stage(eye, eye @ projection, front, back, highlight, texcoords)
+
+
+def _normals(draw: Draw, normals: Float, modelview: Float) -> Float:
+    """Normals in eye space: the inverse transpose of the modelview, then glEnable(GL_NORMALIZE)."""
+    try:
+        inverse = np.linalg.inv(modelview[:3, :3].T)
+    except np.linalg.LinAlgError:
+        inverse = np.zeros((3, 3))
+    N = normals @ inverse
+    transform = draw.state.transform
+    if transform.normalize:
+        return shading.normalize(N)
+    if transform.rescale_normal:
+        length = np.linalg.norm(inverse[:, 2])
+        return N / length if length else N
+    return N
+
+
+def window(clip: Float, viewport: Viewport) -> Float:
+    """Clip coordinates (n, 4) -> window x, y in pixels, z in [0, 1], and the w they had (section 2.11.1)."""
+    with np.errstate(all="ignore"):
+        ndc = clip[:, :3] / clip[:, 3:]
+    x, y, width, height, near, far = viewport
+    scale = np.array([width / 2, height / 2, (far - near) / 2])
+    return np.column_stack([ndc * scale + [x + width / 2, y + height / 2, (near + far) / 2], clip[:, 3]])
+
+
+# ---------------------------------------------------------------- lighting
+
+
+def _lit(draw: Draw, chosen: NDArray[np.uint32], side: int, N: Float, P: Float, color: Float) -> tuple[Float, Float]:
+    """Colour (n, 4) and separate highlight (n, 3) of one side, clamped to [0, 1]."""
+    result, highlight = np.zeros((len(chosen), 4)), np.zeros((len(chosen), 3))
+    materials = draw.materials_at(chosen)
+    for material in dict.fromkeys(materials):
+        at = np.array([other is material or other == material for other in materials])
+        face = material.front if side == GL_FRONT else material.back
+        result[at], highlight[at] = illuminate(draw.state.lighting, side, face, N[at], P[at], color[at])
+    return result, highlight
+
+
+def illuminate(lighting: Lighting, side: int, face: Face, N: Float, P: Float, color: Float) -> tuple[Float, Float]:
+    """Equation 2.5 of OpenGL 1.5, for points P (n, 3) with normals N (n, 3) in eye space and current colours (n, 4)."""
+    reflectances = {name: np.asarray([getattr(face, name)] * len(P)) for name in face._fields[:4]}
+    if lighting.color_material and lighting.color_material_face not in (GL_BACK if side == GL_FRONT else GL_FRONT,):
+        for name in TRACKED.get(lighting.color_material_mode, ("emission",)):
+            reflectances[name] = color
+    k_a, k_d, k_s = (reflectances[name][:, :3] for name in ("ambient", "diffuse", "specular"))
+    V = shading.normalize(-P) if lighting.local_viewer else np.array([0.0, 0.0, 1.0])
+    total = reflectances["emission"][:, :3] + k_a * lighting.ambient[:3]
+    highlight = np.zeros_like(total)
+    lobe = shading.phong_specular if lighting.lobe == GL_PHONG_LOBE_GLSIM else shading.blinn_torrance_specular
+    for light, enabled in zip(lighting.lights, lighting.light_enabled, strict=True):
+        if not enabled:
+            continue
+        L, strength = _towards(light, P)
+        turned = N
+        if lighting.back_lighting == GL_FLIP_NORMAL_GLSIM:
+            turned = np.where(dot(N, L) < 0.0, -N, N)
+        N_L = dot(turned, L)
+        total = total + strength * (k_a * light.ambient[:3] + k_d * light.diffuse[:3] * np.maximum(N_L, 0.0))
+        shine = np.where(N_L > 0.0, lobe(turned, L, V, face.shininess), 0.0)
+        highlight = highlight + strength * k_s * light.specular[:3] * shine
+    if lighting.color_control != GL_SEPARATE_SPECULAR_COLOR:
+        total, highlight = total + highlight, np.zeros_like(highlight)
+    alpha = reflectances["diffuse"][:, 3:]
+    return np.clip(np.concatenate([total, alpha], axis=1), 0.0, 1.0), np.clip(highlight, 0.0, 1.0)
+
+
+def _towards(light: Light, P: Float) -> tuple[Float, Float]:
+    """Unit vectors to the light (n, 3), and attenuation times spotlight (n, 1)."""
+    position = np.array(light.position[:3])
+    w = light.position[3]
+    if w == 0.0:
+        L, strength = np.broadcast_to(shading.normalize(position), P.shape), np.ones((len(P), 1))
+    else:
+        towards = position / w - P
+        L = shading.normalize(towards)
+        factors = light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation
+        with np.errstate(all="ignore"):
+            strength = shading.attenuation(np.sqrt(dot(towards, towards)), *factors)
+    direction = shading.normalize(light.spot_direction)
+    return L, strength * shading.spotlight(L, direction, light.spot_cutoff, light.spot_exponent)
+
+
+# ---------------------------------------------------------------- texture coordinates
+
+
+def _generated(unit: TextureUnit, given: Float, P: Float, eye: Float, N: Float) -> Float:
+    """Texture coordinates (n, 4) with those that glTexGen makes."""
+    result = given.copy()
+    with np.errstate(all="ignore"):
+        u = shading.normalize(eye[:, :3] / eye[:, 3:])
+    R = u - 2.0 * N * dot(N, u)
+    for k, (generator, enabled) in enumerate(zip(unit.generators, unit.generated, strict=True)):
+        if not enabled:
+            continue
+        if generator.mode == GL_OBJECT_LINEAR:
+            result[:, k] = P @ np.array(generator.object_plane)
+        elif generator.mode == GL_EYE_LINEAR:
+            result[:, k] = eye @ np.array(generator.eye_plane)
+        elif generator.mode == GL_SPHERE_MAP:
+            with np.errstate(all="ignore"):
+                m = 2.0 * np.sqrt(R[:, 0] ** 2 + R[:, 1] ** 2 + (R[:, 2] + 1.0) ** 2)
+                result[:, k] = R[:, k] / m + 0.5
+        else:
+            result[:, k] = N[:, k] if generator.mode == GL_NORMAL_MAP else R[:, k]
+    return result

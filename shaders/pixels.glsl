@@ -1,0 +1,10 @@
+// glDrawPixels, glCopyPixels and glBitmap: fragments that take something from a rectangle of pixels.
+
+#if PIXELS != PIXELS_NONE
+uniform sampler2D rectangle;
+
+vec4 pixel()
+{
+    return texelFetch(rectangle, ivec2(gl_FragCoord.xy) - ivec2(rectangle_origin.xy), 0);
+}
+#endif
