@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from glsim.machine.errors import GLError, invalid_enum, invalid_operation, inval
 from glsim.machine.frame import Call
 from glsim.machine.geometry import Geometry
 from glsim.machine.machine import MAX_LIST_NESTING, MOST_NAMES, Machine
+from glsim.machine.pixels import PixelStore
 from glsim.machine.record import ARRAY_CALLS, ListRecorder, implementations
 
 STATIC_FAMILIES = {
@@ -34,7 +35,15 @@ STATIC_FAMILIES = {
 STATIC = {name for name, command in COMMANDS.items() if command.family in STATIC_FAMILIES}
 DRAWING = {"glEnd", "glRect", *ARRAY_CALLS} - {"glArrayElement"}
 
-Item = Geometry | Call
+
+class Unpacking(NamedTuple):
+    """A call whose pixels lie in memory as glPixelStore said when the list was compiled."""
+
+    call: Call
+    store: PixelStore
+
+
+Item = Geometry | Call | Unpacking
 
 
 def glNewList(m: Machine, n: int, mode: int) -> None:
@@ -67,7 +76,8 @@ def compile_list(recorder: ListRecorder) -> list[Item]:
             continue
         items += _compiled(recorder, run)
         run = []
-        items.append(call)
+        store = recorder.stores.get(position, PixelStore())
+        items.append(call if store == PixelStore() else Unpacking(call, store))
     return items + _compiled(recorder, run)
 
 
@@ -92,16 +102,22 @@ def glCallList(m: Machine, n: int) -> None:
     if items is None or m.nesting >= MAX_LIST_NESTING:
         return
     m.nesting += 1
+    store, m.unpack_store = m.unpack_store, PixelStore()
     try:
         for item in items:
             if type(item) is Geometry and m.inside is None:
                 item.call(m)
             elif type(item) is Call:
                 implementations[item.name](*item.arguments)
+            elif type(item) is Unpacking:
+                m.unpack_store = item.store
+                implementations[item.call.name](*item.call.arguments)
+                m.unpack_store = PixelStore()
             else:
                 raise invalid_operation(f"list {n} begins a primitive of its own")
     finally:
         m.nesting -= 1
+        m.unpack_store = store
 
 
 LIST_TYPES: dict[int, str] = {

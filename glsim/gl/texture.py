@@ -588,7 +588,8 @@ def _sampler(sampler: Sampler, pname: int, params: Any) -> Sampler:
         raise invalid_enum("param", int(value), "a comparison such as GL_LEQUAL")
     if pname in (GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL) and value < 0:
         raise invalid_value("param", value, "at least 0")
-    kind: Any = type(getattr(sampler, VALUES[pname]))
+    before = getattr(sampler, VALUES[pname])
+    kind: Any = int if isinstance(before, Enum) else type(before)
     changes: dict[str, Any] = {VALUES[pname]: unit(value) if pname == GL_TEXTURE_PRIORITY else kind(value)}
     return replace(sampler, **changes)
 

@@ -10,6 +10,7 @@ import numpy as np
 from glsim.machine.commands import COMMANDS
 from glsim.machine.frame import Call
 from glsim.machine.machine import Machine
+from glsim.machine.pixels import PixelStore
 
 # What executes each command; glsim.gl fills this in.
 implementations: dict[str, Callable[..., Any]] = {}
@@ -38,13 +39,14 @@ class ListRecorder:
     """Between glNewList and glEndList: collects the commands that belong into the list.
 
     execute: GL_COMPILE_AND_EXECUTE.  Vertex arrays are copied when they are drawn from: ``clients`` has the client
-    state for those calls, by their position.
+    state for those calls, by their position; ``stores`` in the same way how pixels lay in memory.
     """
 
     def __init__(self, machine: Machine, number: int, execute: bool) -> None:
         self.machine, self.number, self.execute = machine, number, execute
         self.calls: list[Call] = []
         self.clients: dict[int, dict[Any, Any]] = {}
+        self.stores: dict[int, PixelStore] = {}
         self.outer: Recorder | None = None
 
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
@@ -55,6 +57,8 @@ class ListRecorder:
             return self._perform(name, arguments)
         if name in ARRAY_CALLS:
             self.clients[len(self.calls)] = copied(self.machine.client)
+        if any(kind == "data" for _, kind in COMMANDS[name].arguments):
+            self.stores[len(self.calls)] = self.machine.unpack_store
         self.calls.append(call)
         return self._perform(name, arguments) if self.execute else None
 

@@ -63,7 +63,7 @@ LIGHTS_SIZE = 1024
 RASTER_SIZE = 336
 TEXTURING_SIZE = 1024
 SHARED = {"Lights": LIGHTS_SIZE, "Raster": RASTER_SIZE, "Texturing": TEXTURING_SIZE}  # blocks of which there is one
-PROGRAM_POINT_SIZE = 0x8642
+PROGRAM_POINT_SIZE, TEXTURE_CUBE_MAP_SEAMLESS = 0x8642, 0x884F
 CORE_BITS = 0x4000 | 0x100 | 0x400  # colour, depth and stencil; there is no accumulation buffer in the core profile
 
 
@@ -365,6 +365,7 @@ class Renderer:
         if old is None:
             raw.glProvokingVertex(LAST_VERTEX_CONVENTION)
             raw.glEnable(PROGRAM_POINT_SIZE)
+            raw.glDisable(TEXTURE_CUBE_MAP_SEAMLESS)  # in OpenGL 1.x the faces of a cube map know nothing of each other
         if old is None or old.viewport != state.viewport:
             raw.glViewport(*state.viewport[:4])
             raw.glDepthRange(*state.viewport[4:])

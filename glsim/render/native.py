@@ -7,7 +7,7 @@ says how each call's arguments are passed.  No PyOpenGL is involved.
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -28,19 +28,29 @@ C_TYPES: dict[str, Any] = {
 }  # fmt: skip
 
 
+# the initial values of glPixelTransfer: maps, shift, offset, then scale and bias of each component
+PIXEL_TRANSFER = {0x0D10: 0.0, 0x0D11: 0.0, **{0x0D14 + k: float(k % 2 == 0) for k in range(8)}}
+
+
+LOADERS: dict[str, Any] = {"egl": EGLLoader, "osmesa": OSMesaLoader}
+
+
 class NoNativeError(RuntimeError):
     """This platform has no fixed function that can be reached without a window."""
 
 
 class Native:
-    """A context with the driver's fixed function, of a given size.  Raises NoNativeError if there is none."""
+    """A context with the driver's fixed function, of a given size.  Raises NoNativeError if there is none.
 
-    def __init__(self, width: int, height: int) -> None:
+    backends: what is tried; only "osmesa" has an accumulation buffer.
+    """
+
+    def __init__(self, width: int, height: int, backends: Sequence[str] = ("egl", "osmesa")) -> None:
         self.width, self.height = width, height
         said = []
-        for name, make in (("egl", EGLLoader), ("osmesa", OSMesaLoader)):
+        for name in backends:
             try:
-                self.loader: Any = make(core=False, width=width, height=height)
+                self.loader: Any = LOADERS[name](core=False, width=width, height=height)
             except Exception as error:
                 said.append(f"{name}: {one_line(error)}")
                 continue
@@ -102,20 +112,28 @@ class Native:
         else:
             self._call("glPopAttrib", ())
             self._call("glPopClientAttrib", ())
-            for mode in (0x1702, 0x1701, 0x1700):  # GL_TEXTURE, GL_PROJECTION, GL_MODELVIEW
-                self._call("glMatrixMode", (mode,))
-                while not self.error():
-                    self._call("glPopMatrix", ())
-                self._call("glLoadIdentity", ())
+            for unit in (3, 2, 1, 0):
+                self._call("glActiveTexture", (0x84C0 + unit,))
+                self._reset_matrix(0x1702)  # GL_TEXTURE
+            self._reset_matrix(0x1701)  # GL_PROJECTION
+            self._reset_matrix(0x1700)  # GL_MODELVIEW
         self._call("glPushAttrib", (0xFFFFFFFF,))
         self._call("glPushClientAttrib", (0xFFFFFFFF,))
         self._call("glClear", (0x4500,))
         while self.error():
             pass
 
+    def _reset_matrix(self, mode: int) -> None:
+        self._call("glMatrixMode", (mode,))
+        while not self.error():
+            self._call("glPopMatrix", ())
+        self._call("glLoadIdentity", ())
+
     def _pixels(self) -> NDArray[np.uint8]:
         picture = np.zeros((self.height, self.width, 4), np.uint8)
         self._call("glFinish", ())
+        for pname, value in PIXEL_TRANSFER.items():  # reading is changed by it too
+            self._call("glPixelTransferf", (pname, value))
         self._call("glPixelStorei", (0x0D05, 1))
         read = ctypes.CFUNCTYPE(None, *[ctypes.c_int] * 4, ctypes.c_uint, ctypes.c_uint, ctypes.c_void_p)
         read(self.loader.load("glReadPixels"))(0, 0, self.width, self.height, 0x1908, 0x1401, picture.ctypes.data)
@@ -138,7 +156,9 @@ def pass_on(command: Command, arguments: tuple[Any, ...], kept: list[Any]) -> tu
     element = command.type
     names = dict(zip(command.parameters, arguments, strict=False))
     for (_, kind), value in zip(command.arguments, arguments, strict=False):
-        if kind == "data":
+        if kind == "data" and value is None:
+            passed.append(None)
+        elif kind == "data":
             several_bytes = names.get("type") in (GL_2_BYTES, GL_3_BYTES, GL_4_BYTES)
             number: Any = SUFFIXES[element] if element else names.get("type")
             dtype = np.uint8 if several_bytes else DTYPES.get(number, np.float32)
@@ -150,6 +170,8 @@ def pass_on(command: Command, arguments: tuple[Any, ...], kept: list[Any]) -> tu
             passed.append(float(value))
         elif kind == "boolean":
             passed.append(bool(value))
+        elif value is None:
+            passed.append(0)
         else:
             passed.append(int(value))
     return tuple(passed)

@@ -10,7 +10,7 @@ from ctypes.util import find_library
 from typing import Any
 
 OSMESA_RGBA = 0x1908
-OSMESA_FORMAT, OSMESA_DEPTH_BITS, OSMESA_STENCIL_BITS = 0x22, 0x30, 0x31
+OSMESA_FORMAT, OSMESA_DEPTH_BITS, OSMESA_STENCIL_BITS, OSMESA_ACCUM_BITS = 0x22, 0x30, 0x31, 0x32
 OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_COMPAT_PROFILE = 0x33, 0x34, 0x35
 OSMESA_CONTEXT_MAJOR_VERSION, OSMESA_CONTEXT_MINOR_VERSION = 0x36, 0x37
 GL_UNSIGNED_BYTE = 0x1401
@@ -42,7 +42,7 @@ class OSMesaLoader:
             attributes += [OSMESA_PROFILE, OSMESA_CORE_PROFILE]
             attributes += [OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3]
         else:
-            attributes += [OSMESA_PROFILE, OSMESA_COMPAT_PROFILE]
+            attributes += [OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, OSMESA_ACCUM_BITS, 16]
         create = self.library.OSMesaCreateContextAttribs
         create.restype = ctypes.c_void_p
         create.argtypes = [ctypes.POINTER(ctypes.c_int), ctypes.c_void_p]

@@ -1,4 +1,10 @@
 """Programs that are drawn by glsim and by the driver's own fixed function, and compared."""
 
-from tests.oracle import fragment_programs, list_programs, texture_programs  # noqa: F401  they add to PROGRAMS
+from tests.oracle import (  # noqa: F401  they add to PROGRAMS
+    fragment_programs,
+    list_programs,
+    pixel_programs,
+    texture_programs,
+    unit_programs,
+)
 from tests.oracle.programs import PROGRAMS as PROGRAMS
