@@ -9,6 +9,7 @@
 #include "pixels.glsl"
 #include "fog.glsl"
 #include "tests.glsl"
+#include "smooth.glsl"
 
 SHADED in vec4 front_color;
 SHADED in vec3 front_highlight;
@@ -23,6 +24,9 @@ in vec4 texture_coordinates[4];
 #endif
 in float fog_distance;
 noperspective in float along_line;
+noperspective in vec2 line_place;
+flat in vec2 line_half_size;
+flat in float point_diameter;
 flat in uint object_row;
 
 out vec4 fragment_color;
@@ -55,6 +59,11 @@ void main()
 #endif
     if (SEPARATE_SPECULAR || COLOR_SUM) color.rgb = min(color.rgb + highlight, 1.0);
     if (FOG != FOG_OFF) color.rgb = mix(fog_color.rgb, color.rgb, fog_factor(fog_distance));
+    if (SMOOTH_LINES || POINT_SMOOTH) {
+        float covered = SMOOTH_LINES ? line_coverage(line_place, line_half_size) : point_coverage(point_diameter);
+        if (covered == 0.0) discard;
+        color.a *= covered;
+    }
     if (!alpha_test(color.a)) discard;
     fragment_color = color;
 }

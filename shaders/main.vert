@@ -40,14 +40,19 @@ out vec4 texture_coordinates[4];
 #endif
 out float fog_distance;             // only with fog
 noperspective out float along_line; // only if LINE_STIPPLE
+noperspective out vec2 line_place;  // only if SMOOTH_LINES: pixels from the middle along and across
+flat out vec2 line_half_size;
+flat out float point_diameter;      // only if POINT_SMOOTH
 flat out uint object_row;
 
 vec4 project(Transform transform, vec4 P)
 {
     vec4 Q = transform.modelview_projection * P;
-    if (WIDE_LINES) Q = widen(Q, transform.modelview_projection * other_end, line_side);
+    if (SMOOTH_LINES)
+        Q = widen_smoothly(Q, transform.modelview_projection * other_end, line_side, line_place, line_half_size);
+    else if (WIDE_LINES) Q = widen(Q, transform.modelview_projection * other_end, line_side);
     if (DEPTH_OFFSET) Q.z += 2.0 * depth_offset * Q.w;
-    if (POINTS) Q.xy += vec2(2.002, 1.998) / 256.0 / viewport.zw * Q.w; // between two pixels: up and to the right
+    if (POINTS && !POINT_SMOOTH) Q.xy += vec2(2.002, 1.998) / 256.0 / viewport.zw * Q.w; // between two pixels: up and to the right
     return Q;
 }
 
@@ -56,7 +61,7 @@ float point_size(float d)
 {
     vec3 a = point_attenuation.xyz;
     float size = clamp(point.x * inversesqrt(a.x + a.y * d + a.z * d * d), point.y, point.z);
-    return max(POINT_SMOOTH ? size : floor(size + 0.5), 1.0);
+    return POINT_SMOOTH ? size : max(floor(size + 0.5), 1.0);
 }
 
 void main()
@@ -77,6 +82,10 @@ void main()
     clip(E);
 #endif
     if (POINTS) gl_PointSize = point_size(abs(E.z));
+    if (POINT_SMOOTH) {
+        point_diameter = gl_PointSize;
+        gl_PointSize += 1.0;                            // half a pixel on all sides may be touched
+    }
     if (FOG != FOG_OFF) fog_distance = FOG_COORDINATE ? fog_coord : abs(E.z);
 
     vec3 N = transform.normal * normal;

@@ -53,14 +53,19 @@ def _need(draw: Draw) -> str:
     state = draw.state
     if kind == 3 and (state.polygon.front_mode != GL_FILL or state.polygon.back_mode != GL_FILL):
         return "unfilled"
-    if kind == 2 and (state.line.stipple or line_width(state) > 1.0) and "line_start" not in draw.block.columns:
+    if kind == 2 and (state.line.stipple or widened(state)) and "line_start" not in draw.block.columns:
         return "lines"
     return ""
 
 
 def line_width(state: Snapshot) -> float:
-    """The width lines are drawn with: rounded, at least one pixel (section 3.4.2)."""
-    return max(float(np.floor(state.line.width + 0.5)), 1.0)
+    """The width lines are drawn with: rounded, at least one pixel (section 3.4.2); a smooth line's is exact."""
+    return state.line.width if state.line.smooth else max(float(np.floor(state.line.width + 0.5)), 1.0)
+
+
+def widened(state: Snapshot) -> bool:
+    """Whether lines are drawn as areas."""
+    return state.line.smooth or line_width(state) > 1.0
 
 
 def positions(block: Vertices, chosen: NDArray[np.uint32]) -> Float:
@@ -90,7 +95,7 @@ CORNERS = np.array([0, 1, 2, 1, 3, 2], np.uint32)  # both triangles end in the l
 def lines(draws: list[Draw]) -> list[Draw]:
     """Wide or stippled lines; the Draws share their vertices and their state."""
     block, state = draws[0].block, draws[0].state
-    wide = line_width(state) > 1.0
+    wide = widened(state)
     ends = [assembled(draw).reshape(-1, 2) for draw in draws]
     order = np.array([0, 0, 1, 1] if wide else [0, 1])
     chosen = np.concatenate(ends)[:, order].ravel()
@@ -187,12 +192,37 @@ def _face(draw: Draw, rings: NDArray[np.uint32], provoking: NDArray[np.uint32], 
     flags = np.ones(rings.shape, bool)
     if draw.mode in (GL_TRIANGLES, GL_QUADS, GL_POLYGON) and draw.block.varies("edge_flag"):
         flags = draw.block.column("edge_flag")[rings, 0] != 0.0
+    offsets = _depth_offsets(draw, rings, mode)
+    each = np.broadcast_to(np.arange(len(rings))[:, None], rings.shape)[flags]  # the polygon of each edge or corner
     if mode == GL_LINE:
         chosen = np.stack([rings, np.roll(rings, -1, axis=1)], axis=2)[flags].ravel()
-        colors = np.repeat(np.broadcast_to(provoking[:, None], rings.shape)[flags], 2)
-        return _part(draw, GL_LINES, chosen, colors, state, front)
-    colors = np.broadcast_to(provoking[:, None], rings.shape)[flags]
-    return _part(draw, GL_POINTS, rings[flags], colors, state, front)
+        each = np.repeat(each, 2)
+        part = _part(draw, GL_LINES, chosen, provoking[each], state, front)
+    else:
+        part = _part(draw, GL_POINTS, rings[flags], provoking[each], state, front)
+    if offsets is not None:
+        part.block.columns["depth_offset"] = offsets[each, None]
+    return part
+
+
+def _depth_offsets(draw: Draw, rings: NDArray[np.uint32], mode: int) -> Float | None:
+    """glPolygonOffset for polygons (n, k) drawn as lines or points: m factor + r units in window depth (section 3.5.5).
+
+    m: the steepest slope of the polygon's plane; r: the smallest difference that 24 bits of depth resolve.
+    """
+    polygon = draw.state.polygon
+    if not (polygon.offset_line if mode == GL_LINE else polygon.offset_point):
+        return None
+    viewport = draw.state.viewport
+    clip = clip_positions(draw, rings.ravel()).reshape(*rings.shape, 4)
+    with np.errstate(all="ignore"):
+        scale = np.array([viewport.width, viewport.height, viewport.far - viewport.near]) / 2
+        corners = clip[..., :3] / clip[..., 3:] * scale
+        corners = corners - corners[:, :1]
+        normal = np.cross(corners, np.roll(corners, -1, axis=1)).sum(axis=1)  # Newell's, for any number of corners
+        slope = np.abs(normal[:, :2]).max(axis=1) / np.abs(normal[:, 2])
+    slope = np.nan_to_num(slope, nan=0.0, posinf=0.0)
+    return (polygon.offset_factor * slope + polygon.offset_units * 2.0**-24).astype(np.float32)
 
 
 def _part(

@@ -56,6 +56,35 @@ def star() -> None:
 # ---------------------------------------------------------------- polygons
 
 
+def hill(n: int = 6) -> None:
+    """Flat quads: a bent one would have two slopes, a degenerate one at a pole any."""
+    glBegin(GL_QUADS)
+    for i in range(n):
+        for j in range(n):
+            for a, b in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                x, y = 1.6 * (i + a) / n - 0.8, 1.6 * (j + b) / n - 0.8
+                glVertex3f(x, y, 0.6 * math.cos(3 * x))
+    glEnd()
+
+
+for _mode, _cap in ((GL_LINE, GL_POLYGON_OFFSET_LINE), (GL_POINT, GL_POLYGON_OFFSET_POINT)):
+
+    @partial(PROGRAMS.__setitem__, f"polygon_offset_for_{_mode.name[3:].lower()}s")
+    def _offset(mode: int = _mode, cap: int = _cap) -> None:
+        """Hidden lines as books draw them: edges pulled in front of the faces."""
+        camera()
+        glRotatef(-60, 1, 0, 0)
+        glRotatef(25, 0, 0, 1)
+        glColor3f(0.2, 0.3, 0.6)
+        hill()
+        glPolygonMode(GL_FRONT_AND_BACK, mode)
+        glEnable(cap)
+        glPolygonOffset(-2.5, -8.0)
+        glPointSize(4)
+        glColor3f(1, 1, 0.5)
+        hill()
+
+
 @program
 def scissor() -> None:
     glClearColor(0.3, 0.3, 0.3, 1)
@@ -398,3 +427,30 @@ def line_stipple_wide() -> None:
     glLineStipple(2, 0x3F07)
     glLineWidth(3.0)
     star()
+
+
+for _width in (1.0, 2.0, 3.5, 7.25):
+
+    @partial(PROGRAMS.__setitem__, f"smooth_lines_of_width_{_width:g}")
+    def _smooth_lines(width: float = _width) -> None:
+        glClear(GL_COLOR_BUFFER_BIT)
+        glEnable(GL_LINE_SMOOTH)
+        glEnable(GL_BLEND)
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
+        glLineWidth(width)
+        star()
+
+
+@program
+def smooth_lines_on_the_faces_of_a_ball() -> None:
+    """Without perspective: with it Mesa interpolates the distance from the line wrongly, and lines get thinner."""
+    glClear(GL_COLOR_BUFFER_BIT)
+    glOrtho(-1.2, 1.2, -1.2, 1.2, -2, 2)
+    lamp()
+    material(**SHINY)
+    glEnable(GL_LINE_SMOOTH)
+    glEnable(GL_BLEND)
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE)
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE)
+    glRotatef(17, 1, 0.6, 0.3)
+    ball(8, 6)
