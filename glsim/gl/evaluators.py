@@ -286,7 +286,8 @@ def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> No
     if mode == GL_POINT:
         strips = [(GL_POINTS, number.ravel())]
     elif mode == GL_LINE:
-        strips = [(GL_LINE_STRIP, column) for column in number.T] + [(GL_LINE_STRIP, row) for row in number]
+        lines: list[Any] = [*number.T, *number]
+        strips = [(GL_LINE_STRIP, line) for line in lines]
     else:
         # quads may be cut along either diagonal; where it is not seen that they are quads, cut them as drivers do
         filled = m.polygon.front_mode == m.polygon.back_mode == GL_FILL and m.lighting.shade_model != GL_FLAT
@@ -303,7 +304,7 @@ def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> No
 def glGetMap(m: Machine, target: int, query: int) -> tuple[float, ...]:
     dimensions = 1 if 0 <= target - GL_MAP1_COLOR_4 < 9 else 2
     what = _what(target, dimensions)
-    map = m.maps.get(target, _default(what, dimensions))
+    map: Map = m.maps.get(target, _default(what, dimensions))
     if query == GL_COEFF:
         return tuple(float(number) for number in map.points.ravel())
     if query == GL_ORDER:

@@ -270,7 +270,7 @@ def glDrawBuffer(m: Machine, buf: int) -> None:
 
 def glReadBuffer(m: Machine, src: int) -> None:
     """Front and back are the same picture."""
-    _check_buffer("src", src, BUFFERS)
+    _check_buffer("src", src, (*BUFFERS, GL_FRONT_AND_BACK))
     m.pixel = m.pixel._replace(read_buffer=src)
 
 

@@ -247,7 +247,7 @@ def _lookup(m: Machine, pname: int) -> Any:
 def answer(values: Any, kind: str, colour: bool = False) -> Any:
     """Python numbers as PyOpenGL returns them: one number alone, else an array of the type asked for.
 
-    kind: b boolean, i integer, f float32, d float64.
+    kind: b boolean, i or ui integer, f float32, d float64.
     """
     array: Any = np.asarray(values, np.float64)
     if kind == "i" and colour:
@@ -258,7 +258,7 @@ def answer(values: Any, kind: str, colour: bool = False) -> Any:
         array = array != 0.0
     elif kind == "d":
         array = np.float32(array)
-    array = array.astype({"b": np.uint8, "i": np.int32, "f": np.float32, "d": np.float64}[kind])
+    array = array.astype({"b": np.uint8, "i": np.int32, "ui": np.uint32, "f": np.float32, "d": np.float64}[kind])
     return array.reshape(-1)[0] if array.size == 1 else array
 
 

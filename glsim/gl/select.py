@@ -41,13 +41,21 @@ from glsim.machine.constants import (
     GL_RENDER,
     GL_SELECT,
 )
-from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, stack_overflow, stack_underflow
+from glsim.machine.errors import (
+    invalid_enum,
+    invalid_operation,
+    invalid_value,
+    out_of_memory,
+    stack_overflow,
+    stack_underflow,
+)
 from glsim.machine.frame import Draw, Packet, Pixels
 from glsim.machine.machine import Machine
 from glsim.machine.state import RasterPosition
 
 Float = NDArray[np.float64]
 MAX_NAME_STACK_DEPTH = 64
+LARGEST_BUFFER = 1 << 26  # numbers
 LARGEST_DEPTH = 4294967295  # depths in hit records are multiplied by 2^32 - 1
 
 
@@ -160,6 +168,8 @@ def glSelectBuffer(m: Machine, size: int, buffer: Any = None) -> Any:
 def _buffer(size: int, buffer: Any, dtype: type) -> Any:
     if size < 0:
         raise invalid_value("size", size, "at least 0")
+    if size > LARGEST_BUFFER:
+        raise out_of_memory(f"a buffer of {size} numbers is more than there is room for")
     if buffer is None:
         return np.zeros(int(size), dtype)
     array = np.asarray(buffer)
@@ -364,9 +374,9 @@ def select(selection: Selection, draw: Draw) -> None:
     stage = vertex_stage(draw, chosen.astype(np.uint32), 0)
     distances = _distances(draw, stage.clip, stage.eye)
     places = places.reshape(shapes.shape)
-    outside: NDArray[np.bool_] = np.less(distances[places], 0.0)  # (primitives, corners, planes)
-    whole: NDArray[np.bool_] = np.logical_not(outside.any(axis=(1, 2)))
-    partly: NDArray[np.bool_] = np.logical_not(outside.all(axis=1).any(axis=1)) & ~whole
+    outside = np.less(distances[places], 0.0)  # (primitives, corners, planes)
+    whole: NDArray[np.bool_] = np.logical_not(np.any(outside, axis=(1, 2)))
+    partly: NDArray[np.bool_] = np.logical_not(np.any(np.all(outside, axis=1), axis=1)) & ~whole
     depth = window(stage.clip, draw.state.viewport)[:, 2]
     ccw = draw.state.polygon.front_face == GL_CCW
     kind = corners(draw.mode)

@@ -236,6 +236,7 @@ class Offscreen:
         """Everything as if just made: initial state, black picture."""
         self.machine.reset()
         with self.ctx:
+            self._renderer.reset()
             for framebuffer in {self._target, self._resolved}:
                 self._clear(framebuffer)
 

@@ -158,6 +158,13 @@ class Renderer:
         self.fixed: tuple[Snapshot, int] | None = None
         self.busy = False  # whether the GPU may still read the buffers
 
+    def reset(self) -> None:
+        """Forget the accumulation buffer and a query that has not ended; the context must be current."""
+        self.accumulation = None
+        if self.query:
+            self.raw.glEndQuery(GL_SAMPLES_PASSED)
+            self.query = 0
+
     # ------------------------------------------------------------ packets
 
     def execute(self, packets: Iterable[Packet]) -> None:

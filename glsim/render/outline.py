@@ -222,7 +222,7 @@ def _depth_offsets(draw: Draw, rings: NDArray[np.uint32], mode: int) -> Float | 
         normal = np.cross(corners, np.roll(corners, -1, axis=1)).sum(axis=1)  # Newell's, for any number of corners
         slope = np.abs(normal[:, :2]).max(axis=1) / np.abs(normal[:, 2])
     slope = np.nan_to_num(slope, nan=0.0, posinf=0.0)
-    return (polygon.offset_factor * slope + polygon.offset_units * 2.0**-24).astype(np.float32)
+    return np.asarray(polygon.offset_factor * slope + polygon.offset_units * 2.0**-24, np.float32)
 
 
 def _part(

@@ -526,7 +526,9 @@ def evaluator_curve_coloured_on_a_grid() -> None:
     glEnd()
 
 
-PATCH = np.array([[(x, y, 0.6 * np.sin(3 * x) * np.cos(2 * y)) for y in (-1, -0.3, 0.4, 1)] for x in (-1, -0.2, 0.5, 1)])
+PATCH = np.array(
+    [[(x, y, 0.6 * np.sin(3 * x) * np.cos(2 * y)) for y in (-1, -0.3, 0.4, 1)] for x in (-1, -0.2, 0.5, 1)]
+)
 
 
 def patch(kind: int = GL_MAP2_VERTEX_3) -> None:
