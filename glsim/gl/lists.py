@@ -68,32 +68,29 @@ def glEndList(m: Machine) -> None:
 def compile_list(recorder: ListRecorder) -> list[Item]:
     """Runs of calls that only make vertices become Geometry; the rest stays calls."""
     items: list[Item] = []
-    run: list[int] = []
-    calls = recorder.calls
-    for position, call in enumerate(calls):
-        if call.name in STATIC:
-            run.append(position)
-            continue
-        items += _compiled(recorder, run)
-        run = []
-        store = recorder.stores.get(position, PixelStore())
-        items.append(call if store == PixelStore() else Unpacking(call, store))
-    return items + _compiled(recorder, run)
+    first = 0
+    others = [position for position, (name, _) in enumerate(recorder.calls) if name not in STATIC]
+    for position in [*others, len(recorder.calls)]:
+        items += _compiled(recorder, first, position)
+        first = position + 1
+        if position < len(recorder.calls):
+            call = Call(*recorder.calls[position])
+            store = recorder.stores.get(position, PixelStore())
+            items.append(call if store == PixelStore() else Unpacking(call, store))
+    return items
 
 
-def _compiled(recorder: ListRecorder, run: list[int]) -> list[Item]:
-    """One Geometry if the run draws whole primitives and is free of errors, else its calls."""
-    calls = [recorder.calls[position] for position in run]
-    depth, balanced = 0, True
-    for call in calls:
-        depth += (call.name == "glBegin") - (call.name == "glEnd")
-        balanced &= 0 <= depth <= 1
-    if not balanced or depth or not any(COMMANDS[call.name].family in DRAWING for call in calls):
-        return list(calls)
-    try:
-        return [Geometry(calls, [recorder.clients.get(position) for position in run])]
-    except (GLError, TypeError, ValueError):
-        return list(calls)  # errors come when the list is called, as the specification says
+def _compiled(recorder: ListRecorder, first: int, end: int) -> list[Item]:
+    """One Geometry if the calls from ``first`` to ``end`` draw whole primitives and are free of errors, else them."""
+    calls = recorder.calls[first:end]
+    brackets = [name for name, _ in calls if name in ("glBegin", "glEnd")]
+    balanced = brackets == ["glBegin", "glEnd"] * (len(brackets) // 2)
+    if balanced and any(COMMANDS[name].family in DRAWING for name, _ in calls):
+        try:
+            return [Geometry(calls, recorder.clients, first)]
+        except (GLError, TypeError, ValueError):
+            pass  # errors come when the list is called, as the specification says
+    return [Call(*call) for call in calls]
 
 
 def glCallList(m: Machine, n: int) -> None:

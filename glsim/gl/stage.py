@@ -49,6 +49,7 @@ class Stage(NamedTuple):
     texcoords: list[Float]
 
 
+@np.errstate(all="ignore")  # what is no number stays none, as on the GPU
 def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int = 1) -> Stage:
     """The vertices ``chosen`` (numbers in the draw's block) as the GPU would have them."""
     block, state = draw.block, draw.state
@@ -63,8 +64,7 @@ def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int = 1) -> Stag
     front = back = np.clip(color, 0.0, 1.0)
     highlight = np.zeros((len(chosen), 3))
     if state.lighting.enabled:
-        with np.errstate(all="ignore"):
-            point = eye[:, :3] / eye[:, 3:]
+        point = eye[:, :3] / eye[:, 3:]
         front, highlight = _lit(draw, chosen, GL_FRONT, N, point, color)
         back = _lit(draw, chosen, GL_BACK, -N, point, color)[0] if state.lighting.two_side else front
     elif state.fog.color_sum:
@@ -93,10 +93,10 @@ def _normals(draw: Draw, normals: Float, modelview: Float) -> Float:
     return N
 
 
+@np.errstate(all="ignore")
 def window(clip: Float, viewport: Viewport) -> Float:
     """Clip coordinates (n, 4) -> window x, y in pixels, z in [0, 1], and the w they had (section 2.11.1)."""
-    with np.errstate(all="ignore"):
-        ndc = clip[:, :3] / clip[:, 3:]
+    ndc = clip[:, :3] / clip[:, 3:]
     x, y, width, height, near, far = viewport
     scale = np.array([width / 2, height / 2, (far - near) / 2])
     return np.column_stack([ndc * scale + [x + width / 2, y + height / 2, (near + far) / 2], clip[:, 3]])
@@ -154,8 +154,7 @@ def _towards(light: Light, P: Float) -> tuple[Float, Float]:
         towards = position / w - P
         L = shading.normalize(towards)
         factors = light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation
-        with np.errstate(all="ignore"):
-            strength = shading.attenuation(np.sqrt(dot(towards, towards)), *factors)
+        strength = shading.attenuation(np.sqrt(dot(towards, towards)), *factors)
     direction = shading.normalize(light.spot_direction)
     return L, strength * shading.spotlight(L, direction, light.spot_cutoff, light.spot_exponent)
 
@@ -166,8 +165,7 @@ def _towards(light: Light, P: Float) -> tuple[Float, Float]:
 def _generated(unit: TextureUnit, given: Float, P: Float, eye: Float, N: Float) -> Float:
     """Texture coordinates (n, 4) with those that glTexGen makes."""
     result = given.copy()
-    with np.errstate(all="ignore"):
-        u = shading.normalize(eye[:, :3] / eye[:, 3:])
+    u = shading.normalize(eye[:, :3] / eye[:, 3:])
     R = u - 2.0 * N * dot(N, u)
     for k, (generator, enabled) in enumerate(zip(unit.generators, unit.generated, strict=True)):
         if not enabled:
@@ -177,9 +175,8 @@ def _generated(unit: TextureUnit, given: Float, P: Float, eye: Float, N: Float) 
         elif generator.mode == GL_EYE_LINEAR:
             result[:, k] = eye @ np.array(generator.eye_plane)
         elif generator.mode == GL_SPHERE_MAP:
-            with np.errstate(all="ignore"):
-                m = 2.0 * np.sqrt(R[:, 0] ** 2 + R[:, 1] ** 2 + (R[:, 2] + 1.0) ** 2)
-                result[:, k] = R[:, k] / m + 0.5
+            m = 2.0 * np.sqrt(R[:, 0] ** 2 + R[:, 1] ** 2 + (R[:, 2] + 1.0) ** 2)
+            result[:, k] = R[:, k] / m + 0.5
         else:
             result[:, k] = N[:, k] if generator.mode == GL_NORMAL_MAP else R[:, k]
     return result

@@ -12,13 +12,14 @@ from numpy.typing import NDArray
 from glsim.machine.assembly import assemble, complete, corners
 from glsim.machine.constants import GL_FILL, GL_LINES, GL_POINTS, GL_TRIANGLES
 from glsim.machine.current import current_machine, make_current
-from glsim.machine.frame import Call, Draw, Vertices
+from glsim.machine.frame import Draw, Vertices
 from glsim.machine.machine import Machine
 from glsim.machine.record import implementations
 
 NAN = float("nan")
 PLAIN = {1: GL_POINTS, 2: GL_LINES, 3: GL_TRIANGLES}
 MOST_VARIANTS = 16
+AnyCall = tuple[str, tuple[Any, ...]]
 REGISTERS = ("nx", "ny", "nz", "red", "green", "blue", "alpha")
 
 
@@ -33,8 +34,9 @@ class Geometry:
     ``vertices``.
     """
 
-    def __init__(self, calls: Sequence[Call], clients: Sequence[dict[Any, Any] | None]) -> None:
-        machine = _execute(calls, clients)
+    def __init__(self, calls: Sequence[AnyCall], clients: dict[int, dict[Any, Any]], first: int) -> None:
+        """clients: client state of vertex arrays for the calls that need it, by position counted from ``first``."""
+        machine = _execute(calls, clients, first)
         self.draws: list[Draw] = [packet for packet in machine.packets if isinstance(packet, Draw)]
         self.after = {
             name: getattr(machine, name) for name in REGISTERS if getattr(machine, name) == getattr(machine, name)
@@ -111,7 +113,7 @@ def _indices(draw: Draw) -> NDArray[np.uint32]:
     return (pattern if draw.indices is None else draw.indices[pattern]) + np.uint32(draw.first)
 
 
-def _execute(calls: Sequence[Call], clients: Sequence[dict[Any, Any] | None]) -> Machine:
+def _execute(calls: Sequence[AnyCall], clients: dict[int, dict[Any, Any]], first: int) -> Machine:
     """Run the calls on a machine of their own in which no current value is known."""
     scratch = Machine(_NoDevice())  # type: ignore[arg-type]
     scratch.nx = scratch.ny = scratch.nz = scratch.red = scratch.green = scratch.blue = scratch.alpha = NAN
@@ -120,9 +122,9 @@ def _execute(calls: Sequence[Call], clients: Sequence[dict[Any, Any] | None]) ->
     before = current_machine()
     make_current(scratch)
     try:
-        for (name, arguments), client in zip(calls, clients, strict=True):
-            if client is not None:
-                scratch.client = client
+        for position, (name, arguments) in enumerate(calls, first):
+            if position in clients:
+                scratch.client = clients[position]
             implementations[name](*arguments)
     finally:
         make_current(before)

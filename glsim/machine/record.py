@@ -38,28 +38,30 @@ class Recorder:
 class ListRecorder:
     """Between glNewList and glEndList: collects the commands that belong into the list.
 
-    execute: GL_COMPILE_AND_EXECUTE.  Vertex arrays are copied when they are drawn from: ``clients`` has the client
-    state for those calls, by their position; ``stores`` in the same way how pixels lay in memory.
+    calls: (name, arguments) in order.  execute: GL_COMPILE_AND_EXECUTE.  Vertex arrays are copied when they are drawn
+    from: ``clients`` has the client state for those calls, by their position; ``stores`` in the same way how pixels lay
+    in memory.
     """
 
     def __init__(self, machine: Machine, number: int, execute: bool) -> None:
         self.machine, self.number, self.execute = machine, number, execute
-        self.calls: list[Call] = []
+        self.calls: list[tuple[str, tuple[Any, ...]]] = []
         self.clients: dict[int, dict[Any, Any]] = {}
         self.stores: dict[int, PixelStore] = {}
         self.outer: Recorder | None = None
 
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
-        call = Call(name, tuple(map(frozen, arguments)))
+        if name not in NUMBERS_ONLY:
+            arguments = tuple(map(frozen, arguments))
         if self.outer is not None:
-            self.outer.calls.append(call)
-        if not COMMANDS[name].listed:
+            self.outer.calls.append(Call(name, arguments))
+        if name in NEVER_LISTED:
             return self._perform(name, arguments)
         if name in ARRAY_CALLS:
             self.clients[len(self.calls)] = copied(self.machine.client)
-        if any(kind == "data" for _, kind in COMMANDS[name].arguments):
+        if name in PIXEL_CALLS:
             self.stores[len(self.calls)] = self.machine.unpack_store
-        self.calls.append(call)
+        self.calls.append((name, arguments))
         return self._perform(name, arguments) if self.execute else None
 
     def _perform(self, name: str, arguments: tuple[Any, ...]) -> Any:
@@ -70,6 +72,9 @@ class ListRecorder:
             self.machine.record(self.outer if name == "glEndList" else self)
 
 
+NUMBERS_ONLY = {command.name for command in COMMANDS.values() if all(k != "data" for _, k in command.arguments)}
+NEVER_LISTED = {command.name for command in COMMANDS.values() if not command.listed}
+PIXEL_CALLS = {command.name for command in COMMANDS.values() if "pixels" in command.parameters} | {"glBitmap"}
 ARRAY_CALLS = {
     "glDrawArrays", "glDrawElements", "glDrawRangeElements", "glMultiDrawArrays", "glMultiDrawElements",
     "glArrayElement",

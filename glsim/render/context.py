@@ -46,6 +46,25 @@ READABLE: dict[str, tuple[int, int]] = {
 }
 
 
+# contexts that nobody holds any more and that are still to be released: thread, loader, moderngl's context
+_abandoned: list[tuple[int, Any, Any]] = []
+
+
+def _release(loader: Any, ctx: moderngl.Context) -> None:
+    loader.__enter__()
+    ctx.release()  # releases the loader too
+    if isinstance(loader, EGLLoader):
+        loader.__exit__()
+
+
+def release_abandoned() -> None:
+    """Release contexts of this thread that nobody holds; not while one is drawing."""
+    for entry in [entry for entry in _abandoned if entry[0] == threading.get_ident()]:
+        _abandoned.remove(entry)
+        with contextlib.suppress(Exception):
+            _release(*entry[1:])
+
+
 class Offscreen:
     """A context of its own that draws without a window.  Make one with ``glsim.offscreen``.
 
@@ -56,6 +75,7 @@ class Offscreen:
 
     def __init__(self, width: int, height: int, samples: int = 0, backend: str = "auto") -> None:
         self._released = False
+        release_abandoned()
         for name, value in (("width", width), ("height", height)):
             if not isinstance(value, (int, np.integer)) or not 1 <= value <= LARGEST:
                 raise ValueError(f"glsim.offscreen: {name} must be an integer from 1 to {LARGEST}, not {value!r}")
@@ -66,7 +86,7 @@ class Offscreen:
         self._raw = RawGL(self._loader)
         self._target = self._framebuffer(self.samples)
         self._resolved = self._framebuffer(0) if self.samples else self._target
-        self._renderer = Renderer(self.ctx, self._raw, (self.width, self.height), self._reread)
+        self._renderer = Renderer(self.ctx, self._raw, (self.width, self.height))
         self._previous: list[Any] = []
         self._thread = threading.get_ident()
         self.machine = Machine(self)
@@ -133,17 +153,15 @@ class Offscreen:
         self._released = True
         if current_machine() is self.machine:
             make_current(None)
-        self._loader.__enter__()
-        self.ctx.release()  # releases the loader too
-        if isinstance(self._loader, EGLLoader):
-            self._loader.__exit__()
+        _release(self._loader, self.ctx)
 
     def __del__(self) -> None:
-        if hasattr(self, "machine") and threading.get_ident() == self._thread:
-            with contextlib.suppress(Exception):  # the interpreter may be on its way out
-                self.release()
+        # Python may collect this while another context draws, which must stay current: release it a little later.
+        if hasattr(self, "machine") and not self._released:
+            _abandoned.append((self._thread, self._loader, self.ctx))
 
     def _check(self) -> None:
+        release_abandoned()
         if self._released:
             raise RuntimeError("this context was released: make another one with glsim.offscreen")
         if threading.get_ident() != self._thread:
@@ -155,7 +173,7 @@ class Offscreen:
         self._check()
         with self.ctx:
             self._target.use()
-            self._renderer.execute(packets)
+            self._renderer.execute(packets, self._reread)
 
     def finish(self) -> None:
         with self.ctx:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import math
 import weakref
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import groupby
 from typing import Any
 
@@ -51,7 +51,7 @@ from glsim.machine.state import (
 )
 from glsim.render.batch import Batch, Object, Plan, plans
 from glsim.render.outline import line_width, prepare
-from glsim.render.pixels import Fragments, as_fragments, merged_bitmaps, plain_state
+from glsim.render.pixels import Fragments, Reader, as_fragments, merged_bitmaps, plain_state
 from glsim.render.programs import BINDINGS, PIXELS, ProgramKey, build, program_key
 from glsim.render.raw import RawGL
 from glsim.render.textures import Textures
@@ -129,17 +129,10 @@ class Source:
 class Renderer:
     """Draws packets into the framebuffer that is bound when ``execute`` is called.
 
-    size: width and height of the framebuffer.  reader: reads a rectangle of it (x, y, width, height, "color", "depth"
-    or "stencil") and leaves it bound.
+    size: its width and height.
     """
 
-    def __init__(
-        self,
-        ctx: moderngl.Context,
-        raw: RawGL,
-        size: tuple[int, int],
-        reader: Callable[[int, int, int, int, str], NDArray[Any]],
-    ) -> None:
+    def __init__(self, ctx: moderngl.Context, raw: RawGL, size: tuple[int, int]) -> None:
         self.ctx, self.raw = ctx, raw
         ctx.gc_mode = "context_gc"  # buffers of lists that are gone are released when the context is current
         self.limit = min(ctx.info["GL_MAX_UNIFORM_BLOCK_SIZE"], 65536) // ROW_SIZE
@@ -152,7 +145,7 @@ class Renderer:
         self.uploaded_lights: Lighting | None = None
         self.uploaded_raster: tuple[Any, ...] = ()
         self.uploaded_texturing: tuple[Any, ...] = ()
-        self.size, self.reader = size, reader
+        self.size = size
         self.accumulation: NDArray[np.float32] | None = None
         self.query = 0  # the driver's name of the query that is counting
         self.fixed: tuple[Snapshot, int] | None = None
@@ -167,8 +160,11 @@ class Renderer:
 
     # ------------------------------------------------------------ packets
 
-    def execute(self, packets: Iterable[Packet]) -> None:
-        """Draw; the context must be current and the framebuffer bound."""
+    def execute(self, packets: Iterable[Packet], read: Reader) -> None:
+        """Draw; the context must be current and the framebuffer bound.
+
+        read: reads a rectangle of the framebuffer (x, y, width, height, "color", "depth" or "stencil").
+        """
         self.ctx.gc()
         self.fixed = None  # somebody else may have changed the driver's state since
         for kind, group in groupby(packets, key=type):
@@ -177,11 +173,13 @@ class Renderer:
                 self._draw(run)
             elif kind is Pixels:
                 for pixels in merged_bitmaps(run):
-                    self._draw_pixels(pixels)
-            else:
-                perform: Any = {Clear: self._clear, Accum: self._accumulate, QueryMark: self._mark}[kind]
+                    self._draw_pixels(pixels, read)
+            elif kind is Accum:
                 for packet in run:
-                    perform(packet)
+                    self._accumulate(packet, read)
+            else:
+                for packet in run:
+                    (self._clear if kind is Clear else self._mark)(packet)
 
     def _clear(self, packet: Clear) -> None:
         state, raw = packet.state, self.raw
@@ -211,16 +209,12 @@ class Renderer:
 
     # ------------------------------------------------------------ pixel rectangles and accumulation
 
-    def _draw_pixels(self, packet: Pixels) -> None:
+    def _draw_pixels(self, packet: Pixels, read: Reader) -> None:
         """One glDrawPixels, glCopyPixels or glBitmap."""
-        for part in as_fragments(packet, self.size, self._read):
+        for part in as_fragments(packet, self.size, read):
+            self.fixed = None  # reading may have changed the driver's state
             self.textures.rectangle(part.image)
             self._draw([part.draw], part)
-
-    def _read(self, x: int, y: int, width: int, height: int, what: str) -> NDArray[Any]:
-        pixels = self.reader(x, y, width, height, what)
-        self.fixed = None  # resolving several samples changes the driver's state
-        return pixels
 
     def _accum(self) -> NDArray[np.float32]:
         """The accumulation buffer, made when it is first used: (height, width, 4), bottom row first."""
@@ -237,7 +231,7 @@ class Renderer:
             return slice(0, height), slice(0, width)
         return slice(max(y, 0), max(min(y + high, height), 0)), slice(max(x, 0), max(min(x + wide, width), 0))
 
-    def _accumulate(self, packet: Accum) -> None:
+    def _accumulate(self, packet: Accum, read: Reader) -> None:
         """One glAccum (section 4.2.4); GL_RETURN is drawn like pixels, under scissor and colour mask alone."""
         buffer, part = self._accum(), self._scissored(packet.state)
         rows, columns = part
@@ -245,7 +239,8 @@ class Renderer:
         if width <= 0 or height <= 0:
             return
         if packet.operation in (GL_ACCUM, GL_LOAD):
-            colors = self._read(columns.start, rows.start, width, height, "color") * np.float32(packet.value / 255.0)
+            colors = read(columns.start, rows.start, width, height, "color") * np.float32(packet.value / 255.0)
+            self.fixed = None
             buffer[part] = colors if packet.operation == GL_LOAD else buffer[part] + colors
         elif packet.operation == GL_MULT:
             buffer[part] *= np.float32(packet.value)
@@ -255,7 +250,7 @@ class Renderer:
             image = np.clip(buffer[part] * np.float32(packet.value), 0.0, 1.0)
             state = plain_state(packet.state, self.size, fragments=False)
             raster = RasterPosition(x=float(columns.start), y=float(rows.start))
-            self._draw_pixels(Pixels("color", image, None, raster, PixelMode(), state))
+            self._draw_pixels(Pixels("color", image, None, raster, PixelMode(), state), read)
 
     # ------------------------------------------------------------ primitives
 
