@@ -181,8 +181,23 @@ Notes:
 - Front and back are one picture; right buffers and auxiliary buffers raise GL_INVALID_OPERATION.
 - The texels of a texture border are dropped, as drivers have done for decades.
 - GL_POLYGON_SMOOTH is accepted and drawn without smoothing, as Mesa does; `glsim.offscreen(samples=4)` smooths all.
+- Wide and stippled lines may differ from a driver's by a pixel at their ends and where a pattern changes.
 - Generic compressed formats (GL_COMPRESSED_RGB, ...) are stored uncompressed, as the specification allows.
 - Internal formats of less or more than 8 bits are stored with 8; depth textures with 24.
+
+Where Mesa 22.3.6 and the specification of OpenGL 1.5 disagree, glsim does what the specification says:
+
+- A glMaterial that no vertex has used yet overrides the current colour when GL_COLOR_MATERIAL is enabled.
+- glPopAttrib(GL_LIGHTING_BIT) leaves such a glMaterial in force.
+- glColorMaterial(GL_BACK, ...) loses green and blue when glColor changes between primitives.
+- Primitives after a glBegin/glEnd with less than two vertices are dropped.
+- Normal arrays of GL_BYTE map by OpenGL 4.2's rule c / 127.
+- Smooth points are hard discs; smooth lines get thinner with perspective; GL_LINE_RESET_TOKEN never comes.
+- Bitmaps are not fogged, overlapping bitmaps blend once, and textured ones take the last raster position's coordinates.
+- glDrawPixels with GL_MAP_COLOR gets blue by none of the maps, and looks up other entries than the rounded ones;
+  GL_INDEX_SHIFT has no effect on it.
+
+Not specified, and done as Mesa does: how a quad is cut into triangles; which pixels a point between pixels covers.
 """
 
 

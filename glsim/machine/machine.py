@@ -98,11 +98,11 @@ class Machine:
         # registers: current values, vertices since the last flush, what is going on
         "accum_clear", "alpha", "array_buffer", "attrib_stack", "begin_material", "blue", "buffers", "busy",
         "capturing", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling", "device",
-        "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "list_base", "lists",
-        "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store", "packets", "pixel", "projection",
-        "queries", "raster", "recorder", "red", "selection", "several_texture_matrices", "stack", "stacks", "stream",
-        "texcoord", "texture_names", "texture_stacks", "textures", "tracks", "unpack_store", "write",
-        "__weakref__",
+        "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest", "list_base",
+        "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store", "packets", "pixel",
+        "projection", "queries", "raster", "recorder", "red", "selection", "several_texture_matrices", "stack",
+        "stacks", "stream", "texcoord", "texture_names", "texture_stacks", "textures", "tracks", "unpack_store",
+        "write", "__weakref__",
         # groups of state
         "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",
         "polygon_stipple", "scissor", "stencil", "texture", "transform", "viewport",
@@ -161,6 +161,7 @@ class Machine:
         self.list_base = 0
         self.compiling: Any = None  # the ListRecorder between glNewList and glEndList
         self.nesting = 0  # lists that are being called
+        self.latest = Snapshot._make(take_groups(self))
         # matrices
         self.modelview, self.projection = [identity()], [identity()]
         self.texture_stacks = [[identity()] for _ in range(TEXTURE_UNITS)]
@@ -246,7 +247,11 @@ class Machine:
         return (*usual, *(stack[-1] for stack in others)) if self.several_texture_matrices else usual
 
     def snapshot(self) -> Snapshot:
-        return Snapshot._make(take_groups(self))
+        """The groups of state as they are; the same object as long as none changes."""
+        groups = take_groups(self)
+        if groups != self.latest:
+            self.latest = Snapshot._make(groups)
+        return self.latest
 
     # ------------------------------------------------------------ flush points
 
