@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 import glsim
+from glsim import gl
 from glsim.gl import *
+from glsim.render.native import Native
 
 
 def modelview() -> np.ndarray:
@@ -297,3 +299,37 @@ def test_depth_is_read_back(screen: glsim.Offscreen) -> None:
     assert np.allclose(depth[:64], 0.25, atol=1e-6)
     assert (depth[64:] == 1).all()
     assert np.array_equal(screen.depth()[::-1], depth)
+
+
+# Limits and buffers that are another implementation's business, and what the oracle itself has pushed.
+OWN = """
+GL_ACCUM_RED_BITS GL_ACCUM_GREEN_BITS GL_ACCUM_BLUE_BITS GL_ACCUM_ALPHA_BITS GL_ATTRIB_STACK_DEPTH GL_DRAW_BUFFER
+GL_READ_BUFFER GL_MAX_CLIP_PLANES GL_MAX_MODELVIEW_STACK_DEPTH GL_MAX_TEXTURE_SIZE GL_MAX_TEXTURE_STACK_DEPTH
+GL_PACK_ALIGNMENT GL_STENCIL_VALUE_MASK GL_STENCIL_WRITEMASK GL_CLIENT_ATTRIB_STACK_DEPTH GL_MAX_3D_TEXTURE_SIZE
+GL_MAX_ELEMENTS_INDICES GL_MAX_ELEMENTS_VERTICES GL_MAX_CUBE_MAP_TEXTURE_SIZE GL_MAX_TEXTURE_UNITS
+GL_COMPRESSED_TEXTURE_FORMATS GL_NUM_COMPRESSED_TEXTURE_FORMATS GL_MAX_TEXTURE_LOD_BIAS GL_DOUBLEBUFFER
+GL_MAX_PROJECTION_STACK_DEPTH GL_MAX_LIST_NESTING GL_MAX_EVAL_ORDER GL_DEPTH_BITS GL_SUBPIXEL_BITS GL_TEXTURE_BINDING_1D
+GL_POINT_SIZE_RANGE GL_LINE_WIDTH_RANGE GL_POINT_SIZE_GRANULARITY GL_LINE_WIDTH_GRANULARITY GL_MAX_VIEWPORT_DIMS
+"""
+
+
+def test_every_state_variable_begins_with_the_drivers_value(screen: glsim.Offscreen, native: Native) -> None:
+    """And has as many numbers, and every name that the driver answers to is answered."""
+    native.replay([])
+    native.loader.make_current()
+    get = ctypes.CFUNCTYPE(None, ctypes.c_uint, ctypes.c_void_p)(native.loader.load("glGetFloatv"))
+    asked = 0
+    for name in gl.__all__:
+        if not name.startswith("GL_") or "GLSIM" in name or name in OWN:
+            continue
+        values = np.full(1024, -777.25, np.float32)
+        get(int(getattr(gl, name)), values.ctypes.data)
+        if native.error():
+            continue
+        theirs = values[values != -777.25]
+        ours = np.ravel(gl.glGetFloatv(getattr(gl, name)))
+        assert ours.shape == theirs.shape, name
+        assert ours == pytest.approx(theirs, abs=1e-6), name
+        asked += 1
+    native.loader.release_current()
+    assert asked > 250

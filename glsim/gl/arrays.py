@@ -105,7 +105,7 @@ def array_key(m: Machine, array: int) -> Any:
 
 
 def client(m: Machine, key: Any) -> Client:
-    return m.client.get(key) or Client()
+    return m.client.get(key) or (Client(pointer=Pointer(3)) if key == GL_SECONDARY_COLOR_ARRAY else Client())
 
 
 def glVertexPointer(m: Machine, size: int, type: int, stride: int, pointer: Any) -> None:

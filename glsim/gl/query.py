@@ -11,7 +11,7 @@ from glsim.gl.arrays import ARRAYS, array_key, client
 from glsim.gl.enable import CAPS, UNIT_CAPS, glIsEnabled, series
 from glsim.gl.evaluators import MAX_EVAL_ORDER
 from glsim.gl.fragment import HINTS
-from glsim.gl.pixels import MAX_PIXEL_MAP_TABLE
+from glsim.gl.pixels import BIASES, MAX_PIXEL_MAP_TABLE, SCALES
 from glsim.gl.raster import LARGEST_LINE, LARGEST_POINT
 from glsim.gl.select import MAX_NAME_STACK_DEPTH, render_mode
 from glsim.machine import constants as gl
@@ -212,17 +212,17 @@ SIZED_MAPS = sorted(int(name) for name in MAPS)
 
 
 def _pointer_getter(array: int, field: str) -> Getter:
-    return lambda m: getattr(client(m, array).pointer, field)
+    return lambda m: getattr(client(m, array_key(m, array)).pointer, field)
 
 
-for _array, _prefix in (
-    (gl.GL_VERTEX_ARRAY, "VERTEX_ARRAY"), (gl.GL_COLOR_ARRAY, "COLOR_ARRAY"),
-    (gl.GL_TEXTURE_COORD_ARRAY, "TEXTURE_COORD_ARRAY"), (gl.GL_NORMAL_ARRAY, "NORMAL_ARRAY"),
-):  # fmt: skip
-    for _field in ("size", "type", "stride"):
-        _name = getattr(gl, f"GL_{_prefix}_{_field.upper()}", None)
+for _prefix, _array in ((repr(array)[3:], array) for array in ARRAYS.values()):
+    for _suffix, _field in (("SIZE", "size"), ("TYPE", "type"), ("STRIDE", "stride"), ("BUFFER_BINDING", "buffer")):
+        _name = getattr(gl, f"GL_{_prefix}_{_suffix}", None)
         if _name is not None:
             GETTERS[_name] = _pointer_getter(_array, _field)
+for _names, _field in ((SCALES, "scale"), (BIASES, "bias")):
+    for _name, _place in _names.items():
+        GETTERS[_name] = lambda m, _field=_field, _place=_place: getattr(m.pixel, _field)[_place]  # type: ignore[misc]
 
 
 def _lookup(m: Machine, pname: int) -> Any:
@@ -239,8 +239,6 @@ def _lookup(m: Machine, pname: int) -> Any:
         return len(m.pixel.map(SIZED_MAPS[pname - GL_MAP_SIZES]))
     if pname in HINTS:
         return m.hints.get(pname, gl.GL_DONT_CARE)
-    if any(pname == value for name, value in vars(gl).items() if name.startswith("GL_")):
-        raise NotImplementedError(f"glGet({pname!r}) is not in glsim yet")
     raise invalid_enum("pname", pname, "a state variable such as GL_VIEWPORT")
 
 
