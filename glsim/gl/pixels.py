@@ -270,7 +270,7 @@ def glDrawBuffer(m: Machine, buf: int) -> None:
 
 def glReadBuffer(m: Machine, src: int) -> None:
     """Front and back are the same picture."""
-    _check_buffer("src", src, (*BUFFERS, GL_FRONT_AND_BACK))
+    _check_buffer("src", src, (*BUFFERS, GL_FRONT_AND_BACK, GL_NONE))
     m.pixel = m.pixel._replace(read_buffer=src)
 
 
@@ -285,6 +285,8 @@ def glReadPixels(
         raise invalid_operation("colour indices can only be read in colour-index mode, which is not emulated")
     if type == GL_BITMAP:
         raise invalid_enum("type", type, "GL_UNSIGNED_BYTE or another number type")
+    if m.pixel.read_buffer == GL_NONE and format not in (GL_DEPTH_COMPONENT, GL_STENCIL_INDEX):
+        raise invalid_operation("glReadBuffer(GL_NONE) left no colours to read")
     rectangle = int(x), int(y), int(width), int(height)
     m.flush()
     if format == GL_DEPTH_COMPONENT:
