@@ -34,7 +34,7 @@ def lambert(N: ArrayLike, L: ArrayLike) -> Float:
 def reflection(N: ArrayLike, L: ArrayLike) -> Float:
     """L mirrored at N: R = (N.L) N + S with S = (N.L) N - L.  Unit vectors (..., 3)."""
     projected = dot(N, L) * np.asarray(N, np.float64)
-    S = projected - np.asarray(L, np.float64)  # noqa: N806  the lecture's names
+    S = projected - np.asarray(L, np.float64)
     return projected + S
 
 
@@ -45,7 +45,7 @@ def phong_specular(N: ArrayLike, L: ArrayLike, V: ArrayLike, n: ArrayLike) -> Fl
 
 def blinn_torrance_specular(N: ArrayLike, L: ArrayLike, V: ArrayLike, n: ArrayLike) -> Float:
     """Blinn's highlight (N.H)^n with H halfway between L and V: OpenGL's.  -> (..., 1) in [0, 1]"""
-    H = normalize(np.asarray(L, np.float64) + np.asarray(V, np.float64))  # noqa: N806
+    H = normalize(np.asarray(L, np.float64) + np.asarray(V, np.float64))
     return power(dot(N, H), n)
 
 

@@ -1,0 +1,18 @@
+"""The OpenGL utility library, GLU 1.3: a drop-in for ``OpenGL.GLU``."""
+
+from __future__ import annotations
+
+from glsim.glu import constants, errors, images, nurbs, quadric, tess, view
+from glsim.glu.errors import GLUError as GLUError
+
+GLUerror = GLUError  # PyOpenGL's name
+globals().update(constants.NAMES)
+GLU_TESS_MAX_COORD = constants.GLU_TESS_MAX_COORD
+for _topic in (errors, images, nurbs, quadric, tess, view):
+    globals().update(
+        {name: value for name, value in vars(_topic).items() if name.startswith("glu") and name[3].isupper()}
+    )
+
+__all__ = [
+    name for name in globals() if name.startswith(("GLU_", "GLUe")) or (name[:3] == "glu" and name[3:4].isupper())
+]

@@ -1,0 +1,44 @@
+"""GLU's errors, and its strings."""
+
+from __future__ import annotations
+
+from glsim.glu.constants import NAMES
+
+
+class GLUError(Exception):
+    """A GLU error.  Attributes: err, the code; description, the sentence."""
+
+    def __init__(self, err: int, description: str) -> None:
+        super().__init__(err, description)
+        self.err, self.description = err, description
+
+    def __str__(self) -> str:
+        return f"{self.description} ({gluErrorString(self.err).decode()})"
+
+
+STRINGS = {
+    0: "no error", 1280: "invalid enumerant", 1281: "invalid value", 1282: "invalid operation", 1283: "stack overflow",
+    1284: "stack underflow", 1285: "out of memory", 100900: "invalid enumerant", 100901: "invalid value",
+    100902: "out of memory", 100903: "incompatible gl version", 100904: "invalid operation",
+    100151: "gluTessBeginPolygon() must precede a gluTessEndPolygon()",
+    100152: "gluTessBeginContour() must precede a gluTessEndContour()",
+    100153: "gluTessEndPolygon() must follow a gluTessBeginPolygon()",
+    100154: "gluTessEndContour() must follow a gluTessBeginContour()", 100155: "a coordinate is too large",
+    100156: "need combine callback",
+}  # fmt: skip
+
+
+def gluErrorString(error: int) -> bytes:
+    """What an error code of GL or GLU means."""
+    return STRINGS.get(int(error), "unknown error").encode()
+
+
+def gluGetString(name: int) -> bytes:
+    """GLU_VERSION or GLU_EXTENSIONS."""
+    if name == NAMES["GLU_VERSION"]:
+        return b"1.3"
+    if name == NAMES["GLU_EXTENSIONS"]:
+        return b""
+    raise GLUError(
+        int(NAMES["GLU_INVALID_ENUM"]), f"gluGetString: name must be GLU_VERSION or GLU_EXTENSIONS, not {name}"
+    )
