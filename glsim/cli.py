@@ -55,6 +55,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"glsim {__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     _add_compare(commands)
+    _add_run(commands)
     doctor = commands.add_parser("doctor", help="say what this machine can draw with, and what to install")
     doctor.add_argument("--json", action="store_true", help="print one JSON object")
     doctor.set_defaults(run=_doctor)
@@ -179,6 +180,72 @@ def _list(options: argparse.Namespace) -> int:
     print("Materials:")
     print("  " + ", ".join(MATERIALS))
     return 0
+
+
+# ---------------------------------------------------------------- run
+
+
+def _add_run(commands: Any) -> None:
+    text = "run an unmodified PyOpenGL/GLUT program, headless or in a window"
+    p = commands.add_parser("run", help=text, description=text[0].upper() + text[1:] + ".")
+    p.add_argument("script", metavar="SCRIPT", help="a Python program that imports OpenGL")
+    p.add_argument("arguments", nargs="*", metavar="ARGS", help="the program's own arguments, after --")
+    p.add_argument("--out", metavar="DIR", help="where frame_000.png and so on go (default: frames)")
+    p.add_argument("--frames", type=_count, default=1, metavar="N", help="steps of the main loop (default: 1)")
+    p.add_argument("--events", default="", metavar='"key a;mouse 0 0 10 20;..."',
+                   help="one event for each step from the second on: key C, special N, mouse BUTTON STATE X Y, "
+                   "motion X Y, passive X Y, menu VALUE, reshape W H, tick")  # fmt: skip
+    p.add_argument("--keys", default="", metavar="abc", help="short for --events with a key for each letter")
+    p.add_argument("--size", type=_rectangle, metavar="WxH", help="size of every window, whatever the program asks")
+    p.add_argument("--shade", choices=("flat", "smooth", "phong"), help="shade everything like this")
+    p.add_argument("--lobe", choices=("blinn", "phong"), help="the specular lobe: (N.H)^n or (R.V)^n")
+    p.add_argument("--window", action="store_true", help="show real windows (needs the package glfw)")
+    p.add_argument("--real-time", action="store_true", help="let the clock run, instead of 20 ms a step")
+    p.add_argument("--timeout", type=float, default=None, metavar="SECONDS",
+                   help="stop the program after this time (default: 60; with --window never)")  # fmt: skip
+    p.add_argument("--gif", metavar="FILE", help="an animation of all steps")
+    p.add_argument("--mp4", metavar="FILE", help="an animation of all steps (needs the package imageio-ffmpeg)")
+    p.add_argument("--no-python2", action="store_true", help="do not convert programs of Python 2")
+    p.add_argument("--json", action="store_true", help="print one line of JSON: status, frames, calls")
+    p.set_defaults(run=_run)
+
+
+def _count(text: str) -> int:
+    if not text.isdigit() or not 1 <= int(text) <= 1_000_000:
+        raise argparse.ArgumentTypeError(f"a number from 1 on is needed, not {text!r}")
+    return int(text)
+
+
+def _rectangle(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"(\d+)x(\d+)", text)
+    if not found or not all(1 <= int(n) <= 16384 for n in found.groups()):
+        raise argparse.ArgumentTypeError(f"a size such as 640x480 is needed, not {text!r}")
+    return int(found[1]), int(found[2])
+
+
+def _run(options: argparse.Namespace) -> int:
+    from glsim.study.play import Plan
+    from glsim.study.run import animate, events_from, run
+
+    out = options.out or (None if options.window else "frames")
+    plan = Plan(
+        options.script, options.arguments, out, options.frames, events_from(options.keys, options.events),
+        options.size, options.shade, options.lobe, options.window, options.real_time or options.window, options.json,
+        not options.no_python2,
+    )  # fmt: skip
+    timeout = options.timeout or (None if options.window else 60.0)
+    record = run(plan, timeout)
+    for target in filter(None, (options.gif, options.mp4)):
+        first = [Path(out or ".") / name for name in record["pictures"] if "_w" not in name]
+        animate(first, Path(target))
+    if options.json:
+        print(json.dumps(record))
+    else:
+        for note in record["notes"]:
+            print(f"glsim run: {note}", file=sys.stderr)
+        where = f", pictures in {out}" if record["pictures"] else ""
+        print(f"{options.script}: {record['status']}, {record['frames']} frames{where}")
+    return 0 if record["status"] == "ok" else 1
 
 
 # ---------------------------------------------------------------- doctor

@@ -82,7 +82,7 @@ GETTERS: dict[int, Getter] = {
     gl.GL_RGBA_MODE: lambda m: True,
     gl.GL_INDEX_MODE: lambda m: False,
     gl.GL_STEREO: lambda m: False,
-    gl.GL_DOUBLEBUFFER: lambda m: False,
+    gl.GL_DOUBLEBUFFER: lambda m: m.device.describe().get("double", False),
     gl.GL_RED_BITS: lambda m: 8,
     gl.GL_GREEN_BITS: lambda m: 8,
     gl.GL_BLUE_BITS: lambda m: 8,

@@ -1,7 +1,10 @@
 """Quadrics: spheres, cylinders, discs.
 
 The vertices come in the order of GLU's sample implementation, so that flat shading, lines, points and culling agree:
-around an axis x is the sine and y the cosine of the angle, and faces are counterclockwise seen from outside.
+around an axis x is the sine and y the cosine of the angle, and faces are counterclockwise seen from outside.  Numbers
+are rounded to float32 where that implementation rounds them, so that the same pixels are covered.  Where its normals
+are odd (along the lines of a cylinder they have no slope), so are these; only where it takes memory it never set, for
+points and silhouettes with GLU_FLAT, they are what they should be.
 """
 
 from __future__ import annotations
@@ -11,6 +14,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from glsim import gl
 from glsim.glu import constants
@@ -31,6 +35,10 @@ class Quadric:
         self.orientation: int = OUTSIDE
         self.texture = False
         self.on_error: Callable[[int], Any] | None = None
+
+    @property
+    def side(self) -> float:
+        return 1.0 if self.orientation == OUTSIDE else -1.0
 
     def normal(self, x: float, y: float, z: float) -> None:
         if self.normals != NONE:
@@ -80,15 +88,30 @@ def gluQuadricCallback(quad: Quadric, which: int, function: Callable[[int], Any]
     quad.on_error = function
 
 
+Single = NDArray[np.float32]
+
+
 def _float32(values: Any) -> list[float]:
     return np.asarray(values, np.float32).astype(np.float64).tolist()  # type: ignore[no-any-return]
 
 
+def _steps(first: float, last: float, count: int) -> Single:
+    """From first to last in count steps, in float32 as GLU has them."""
+    fractions = np.arange(count + 1, dtype=np.float32) / np.float32(count)
+    return np.float32(first - (np.float32(first - last) * fractions).astype(np.float64))
+
+
 def _circle(slices: int, turn: float = 0.0) -> tuple[list[float], list[float]]:
-    """Sines and cosines around, in float32; the last is exactly the first.  turn: in slices."""
+    """Sines and cosines around; the last is exactly the first.  turn: in slices."""
     angles = np.float32(2.0 * math.pi * (np.arange(slices) + turn) / slices).astype(np.float64)
     sines, cosines = _float32(np.sin(angles)), _float32(np.cos(angles))
     return [*sines, sines[0]], [*cosines, cosines[0]]
+
+
+def _rings(radii: Single, sines: list[float], cosines: list[float]) -> tuple[list[list[float]], list[list[float]]]:
+    """x and y of the vertices, [ring][slice]."""
+    x, y = (_float32(np.multiply.outer(radii, np.float32(around))) for around in (sines, cosines))
+    return x, y  # type: ignore[return-value]
 
 
 # ---------------------------------------------------------------- cylinder
@@ -104,49 +127,42 @@ def gluCylinder(quad: Quadric, base: float, top: float, height: float, slices: i
     if length == 0.0:
         quad.fail("gluCylinder", "has neither height nor different radii")
         return
-    side = 1.0 if quad.orientation == OUTSIDE else -1.0
-    slope, flank = side * (base - top) / length, side * height / length
+    slope, flank = (base - top) / length, height / length
+    flank *= quad.side
     sines, cosines = _circle(slices)
+    x, y = _rings(_steps(base, top, stacks), sines, cosines)
+    z = _float32(np.arange(stacks + 1) * height / stacks)
     middle = _circle(slices, -0.5) if quad.normals == FLAT else (sines, cosines)
 
-    def normal(i: int, at: tuple[list[float], list[float]] = (sines, cosines)) -> None:
-        quad.normal(flank * at[0][i], flank * at[1][i], slope)
+    def face_normal(i: int) -> None:
+        quad.normal(flank * middle[0][i], flank * middle[1][i], slope)
 
     def vertex(i: int, j: int) -> None:
         if quad.texture:
             gl.glTexCoord2f(1.0 - i / slices, j / stacks)
-        radius = base - (base - top) * (j / stacks)
-        gl.glVertex3f(radius * sines[i], radius * cosines[i], j * height / stacks)
+        gl.glVertex3f(x[j][i], y[j][i], z[j])
 
     if quad.style == FILL:
         for j in range(stacks):
             gl.glBegin(gl.GL_QUAD_STRIP)
             for i in range(slices + 1):
-                normal(i, middle)
+                face_normal(i)
                 for k in (j, j + 1) if quad.orientation == OUTSIDE else (j + 1, j):
                     vertex(i, k)
             gl.glEnd()
     elif quad.style == POINT:
         gl.glBegin(gl.GL_POINTS)
         for i in range(slices):
-            normal(i)
+            quad.normal(flank * sines[i], flank * cosines[i], slope)
             for j in range(stacks + 1):
                 vertex(i, j)
         gl.glEnd()
     else:
         rings = [*range(1, stacks), 0, stacks] if quad.style == LINE else [0, stacks]
-        for j in rings:
-            gl.glBegin(gl.GL_LINE_STRIP)
-            for i in range(slices + 1):
-                normal(i, middle)
-                vertex(i, j)
-            gl.glEnd()
+        _strips(vertex, [[(i, j) for i in range(slices + 1)] for j in rings], face_normal)
         for i in range(slices):
-            normal(i)
-            gl.glBegin(gl.GL_LINE_STRIP)
-            for j in range(stacks + 1):
-                vertex(i, j)
-            gl.glEnd()
+            quad.normal(flank * sines[i], flank * cosines[i], 0.0)
+            _strips(vertex, [[(i, j) for j in range(stacks + 1)]])
 
 
 # ---------------------------------------------------------------- discs
@@ -169,19 +185,21 @@ def gluPartialDisk(
     if sweep < 0:
         start, sweep = start + sweep, -sweep
     whole = sweep == 360.0
-    angles = math.radians(start) + math.radians(sweep) * np.arange(slices + 1) / slices
+    turn = math.pi * sweep / 180.0 * np.arange(slices + 1) / slices
+    angles = np.float32(np.float32(start / 180.0 * math.pi) + turn).astype(np.float64)
     sines, cosines = _float32(np.sin(angles)), _float32(np.cos(angles))
     if whole:
         sines[slices], cosines[slices] = sines[0], cosines[0]
     outside = quad.orientation == OUTSIDE
-    quad.normal(0.0, 0.0, 1.0 if outside else -1.0)
+    quad.normal(0.0, 0.0, quad.side)
+    radii = _steps(outer, inner, loops)
+    x, y = _rings(radii, sines, cosines)
+    scales = [float(radius) / outer / 2 for radius in radii]
 
     def vertex(i: int, j: int) -> None:
-        radius = outer - (outer - inner) * (j / loops)
         if quad.texture:
-            scale = radius / outer / 2
-            gl.glTexCoord2f(scale * sines[i] + 0.5, scale * cosines[i] + 0.5)
-        gl.glVertex3f(radius * sines[i], radius * cosines[i], 0.0)
+            gl.glTexCoord2f(scales[j] * sines[i] + 0.5, scales[j] * cosines[i] + 0.5)
+        gl.glVertex3f(x[j][i], y[j][i], 0.0)
 
     if quad.style == FILL:
         _fill_disk(quad, vertex, slices, loops, inner == 0.0, outside)
@@ -205,10 +223,15 @@ def gluPartialDisk(
         _strips(vertex, [[(i, j) for j in range(loops + 1)] for i in spokes])
 
 
-def _strips(vertex: Callable[[int, int], None], strips: list[list[tuple[int, int]]]) -> None:
+def _strips(
+    vertex: Callable[[int, int], None],
+    strips: list[list[tuple[int, int]]],
+    normal: Callable[[int], None] = lambda i: None,
+) -> None:
     for strip in strips:
         gl.glBegin(gl.GL_LINE_STRIP)
         for i, j in strip:
+            normal(i)
             vertex(i, j)
         gl.glEnd()
 
@@ -236,80 +259,114 @@ def _fill_disk(
 # ---------------------------------------------------------------- sphere
 
 
+class _Sphere:
+    """The vertices of a sphere and their normals; i: slice, j: stack from the pole at +z."""
+
+    def __init__(self, quad: Quadric, radius: float, slices: int, stacks: int) -> None:
+        self.quad, self.slices, self.stacks = quad, slices, stacks
+        self.sines, self.cosines = _circle(slices)
+        polar = np.float32(math.pi * np.arange(stacks + 1) / stacks).astype(np.float64)
+        self.ring, self.axis = _float32(np.sin(polar)), _float32(np.cos(polar))
+        radii = np.float32(radius * np.sin(polar))
+        radii[[0, stacks]] = 0.0  # it comes to a point at both ends
+        self.x, self.y = _rings(radii, self.sines, self.cosines)
+        self.z = _float32(np.float32(radius * np.cos(polar)))
+        self.flat_sines, self.flat_cosines = _circle(slices, -0.5)
+        between = np.float32(math.pi * (np.arange(stacks + 1) - 0.5) / stacks).astype(np.float64)
+        self.flat_ring, self.flat_axis = _float32(np.sin(between)), _float32(np.cos(between))
+
+    def smooth(self, i: int, j: int) -> None:
+        """The normal of a vertex."""
+        side, ring = self.quad.side, self.ring[j]
+        if self.quad.normals == SMOOTH:
+            gl.glNormal3f(side * self.sines[i] * ring, side * self.cosines[i] * ring, side * self.axis[j])
+
+    def flat(self, i: int, j: int) -> None:
+        """The normal of the face before slice i and stack j."""
+        side, ring = self.quad.side, self.flat_ring[j]
+        if self.quad.normals == FLAT:
+            gl.glNormal3f(
+                side * self.flat_sines[i] * ring, side * self.flat_cosines[i] * ring, side * self.flat_axis[j]
+            )
+
+    def vertex(self, i: int, j: int) -> None:
+        if self.quad.texture:
+            gl.glTexCoord2f(1.0 - i / self.slices, 1.0 - j / self.stacks)
+        gl.glVertex3f(self.x[j][i], self.y[j][i], self.z[j])
+
+    def fan(self, pole: int, j: int) -> None:
+        """The triangles between a pole and the ring beside it."""
+        backwards = (self.quad.orientation == OUTSIDE) == (pole == 0)
+        gl.glBegin(gl.GL_TRIANGLE_FAN)
+        self.smooth(0, pole)
+        gl.glVertex3f(0.0, 0.0, self.z[pole])
+        for i in range(self.slices, -1, -1) if backwards else range(self.slices + 1):
+            if not backwards or i < self.slices:
+                self.flat(i + backwards, max(j, pole))
+            self.smooth(i, j)
+            self.vertex(i, j)
+        gl.glEnd()
+
+    def strip(self, j: int) -> None:
+        """The faces between two rings."""
+        first, second = (j + 1, j) if self.quad.orientation == OUTSIDE else (j, j + 1)
+        gl.glBegin(gl.GL_QUAD_STRIP)
+        for i in range(self.slices + 1):
+            self.smooth(i, first)
+            self.vertex(i, first)
+            self.flat(i, j + 1)
+            self.smooth(i, second)
+            self.vertex(i, second)
+        gl.glEnd()
+
+    def points(self) -> None:
+        gl.glBegin(gl.GL_POINTS)
+        for j in range(self.stacks + 1):
+            for i in range(self.slices):
+                around, along = self.quad.side * self.ring[j], self.quad.side * self.axis[j]
+                self.quad.normal(self.sines[i] * around, self.cosines[i] * around, along)
+                self.vertex(i, j)
+        gl.glEnd()
+
+    def lines(self) -> None:
+        """Rings, and arcs from pole to pole."""
+        side = self.quad.side
+        for j in range(1, self.stacks):
+            gl.glBegin(gl.GL_LINE_STRIP)
+            for i in range(self.slices + 1):
+                if self.quad.normals == FLAT:
+                    x, y = self.flat_sines[i] * self.ring[j], self.flat_cosines[i] * self.ring[j]
+                    gl.glNormal3f(side * x, side * y, side * self.axis[j])
+                self.smooth(i, j)
+                self.vertex(i, j)
+            gl.glEnd()
+        for i in range(self.slices):
+            gl.glBegin(gl.GL_LINE_STRIP)
+            for j in range(self.stacks + 1):
+                if self.quad.normals == FLAT:
+                    x, y = self.sines[i] * self.flat_ring[j], self.cosines[i] * self.flat_ring[j]
+                    gl.glNormal3f(side * x, side * y, side * self.flat_axis[j])
+                self.smooth(i, j)
+                self.vertex(i, j)
+            gl.glEnd()
+
+
 def gluSphere(quad: Quadric, radius: float, slices: int, stacks: int) -> None:
     """Around the origin; the poles are on the z axis."""
     slices, stacks = int(slices), int(stacks)
     if slices < 2 or stacks < 1 or radius < 0:
         quad.fail("gluSphere", "needs at least 2 slices, 1 stack and a radius of at least 0")
         return
-    outside = quad.orientation == OUTSIDE
-    side = 1.0 if outside else -1.0
-    sines, cosines = _circle(slices)
-    polar = np.float32(math.pi * np.arange(stacks + 1) / stacks).astype(np.float64)
-    ring, axis = _float32(np.sin(polar)), _float32(np.cos(polar))
-    radii = [0.0, *(radius * r for r in ring[1:stacks]), 0.0]  # it comes to a point at both ends
-    flat_sines, flat_cosines = _circle(slices, -0.5)
-    middle = np.float32(math.pi * (np.arange(stacks + 1) - 0.5) / stacks).astype(np.float64)
-    flat_ring, flat_axis = _float32(np.sin(middle)), _float32(np.cos(middle))
-
-    def smooth(i: int, j: int) -> None:
-        if quad.normals == SMOOTH:
-            gl.glNormal3f(side * sines[i] * ring[j], side * cosines[i] * ring[j], side * axis[j])
-
-    def flat(i: int, j: int) -> None:
-        if quad.normals == FLAT:
-            gl.glNormal3f(
-                side * flat_sines[i] * flat_ring[j], side * flat_cosines[i] * flat_ring[j], side * flat_axis[j]
-            )
-
-    def vertex(i: int, j: int) -> None:
-        if quad.texture:
-            gl.glTexCoord2f(1.0 - i / slices, 1.0 - j / stacks)
-        gl.glVertex3f(radii[j] * sines[i], radii[j] * cosines[i], radius * axis[j])
-
-    if quad.style == FILL:
+    sphere = _Sphere(quad, radius, slices, stacks)
+    if quad.style == POINT:
+        sphere.points()
+    elif quad.style != FILL:
+        sphere.lines()
+    else:
         first, last = 0, stacks
         if not quad.texture:  # fans around the poles; with texture the strips go on to them
             first, last = 1, stacks - 1
-            for pole, j in ((0, 1), (stacks, stacks - 1)):
-                backwards = outside == (pole == 0)
-                gl.glBegin(gl.GL_TRIANGLE_FAN)
-                smooth(0, pole)
-                gl.glVertex3f(0.0, 0.0, radius * axis[pole])
-                for i in range(slices, -1, -1) if backwards else range(slices + 1):
-                    if not backwards or i < slices:
-                        flat(i + backwards, max(j, pole))
-                    smooth(i, j)
-                    vertex(i, j)
-                gl.glEnd()
+            sphere.fan(0, 1)
+            sphere.fan(stacks, stacks - 1)
         for j in range(first, last):
-            gl.glBegin(gl.GL_QUAD_STRIP)
-            for i in range(slices + 1):
-                flat(i, j + 1)
-                for k in (j + 1, j) if outside else (j, j + 1):
-                    smooth(i, k)
-                    vertex(i, k)
-            gl.glEnd()
-    elif quad.style == POINT:
-        gl.glBegin(gl.GL_POINTS)
-        for j in range(stacks + 1):
-            for i in range(slices):
-                if quad.normals != NONE:
-                    gl.glNormal3f(side * sines[i] * ring[j], side * cosines[i] * ring[j], side * axis[j])
-                vertex(i, j)
-        gl.glEnd()
-    else:
-        for j in range(1, stacks):
-            gl.glBegin(gl.GL_LINE_STRIP)
-            for i in range(slices + 1):
-                flat(i, j)
-                smooth(i, j)
-                vertex(i, j)
-            gl.glEnd()
-        for i in range(slices):
-            gl.glBegin(gl.GL_LINE_STRIP)
-            for j in range(stacks + 1):
-                flat(i, j)
-                smooth(i, j)
-                vertex(i, j)
-            gl.glEnd()
+            sphere.strip(j)

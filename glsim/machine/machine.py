@@ -97,7 +97,7 @@ class Machine:
     __slots__ = (  # noqa: RUF023
         # registers: current values, vertices since the last flush, what is going on
         "accum_clear", "alpha", "array_buffer", "attrib_stack", "begin_material", "blue", "buffers", "busy",
-        "capturing", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling", "device",
+        "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling", "device",
         "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest", "list_base",
         "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store", "packets", "pixel",
         "projection", "queries", "raster", "recorder", "red", "selection", "several_texture_matrices", "stack",
@@ -111,6 +111,7 @@ class Machine:
     def __init__(self, device: Device) -> None:
         self.device = device
         self.capturing: Frame | None = None
+        self.change: Callable[[Draw], Draw] | None = None  # made of every Draw: another shade model, say
         self.recorder: Callable[[str, tuple[Any, ...]], Any] | None = None
         self.reset()
 
@@ -267,6 +268,8 @@ class Machine:
         if self.collector is not None:
             self.collector(packets)
             return
+        if self.change is not None:
+            packets = [self.change(packet) if type(packet) is Draw else packet for packet in packets]
         if self.capturing is not None:
             self.capturing.packets += packets
         self.device.execute(packets)

@@ -75,6 +75,7 @@ class Offscreen:
 
     def __init__(self, width: int, height: int, samples: int = 0, backend: str = "auto") -> None:
         self._released = False
+        self.double_buffered = False  # what glGet(GL_DOUBLEBUFFER) says
         release_abandoned()
         for name, value in (("width", width), ("height", height)):
             if not isinstance(value, (int, np.integer)) or not 1 <= value <= LARGEST:
@@ -84,6 +85,7 @@ class Offscreen:
         self.ctx = moderngl.create_context(context=self._loader, require=330)
         self.samples = self._samples(samples)
         self._raw = RawGL(self._loader)
+        self._attachments: list[tuple[moderngl.Framebuffer, moderngl.Renderbuffer, ctypes.c_uint]] = []
         self._target = self._framebuffer(self.samples)
         self._resolved = self._framebuffer(0) if self.samples else self._target
         self._renderer = Renderer(self.ctx, self._raw, (self.width, self.height))
@@ -105,13 +107,15 @@ class Offscreen:
     def _framebuffer(self, samples: int) -> moderngl.Framebuffer:
         """Colour of 8 bits each, depth of 24 and stencil of 8 bits."""
         size, raw = (self.width, self.height), self._raw
-        framebuffer = self.ctx.framebuffer(self.ctx.renderbuffer(size, 4, samples=samples))
+        color = self.ctx.renderbuffer(size, 4, samples=samples)
+        framebuffer = self.ctx.framebuffer(color)
         framebuffer.use()
         name = ctypes.c_uint()
         raw.glGenRenderbuffers(1, ctypes.byref(name))
         raw.glBindRenderbuffer(GL_RENDERBUFFER, name.value)
         raw.glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH24_STENCIL8, *size)
         raw.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, name.value)
+        self._attachments.append((framebuffer, color, name))
         self._clear(framebuffer)
         return framebuffer
 
@@ -225,6 +229,7 @@ class Offscreen:
             "renderer": info["GL_RENDERER"],
             "version": info["GL_VERSION"],
             "samples": self.samples,
+            "double": self.double_buffered,
         }
 
     # ------------------------------------------------------------ pictures
@@ -249,6 +254,21 @@ class Offscreen:
         """Write the picture to a file; its ending says the format."""
         image = self.image()
         write_atomically(path, lambda name: image.save(name))
+
+    def resize(self, width: int, height: int) -> None:
+        """Another size; the picture is black afterwards, all state stays."""
+        self._check()
+        self.machine.flush()
+        with self.ctx:
+            for framebuffer, color, depth in self._attachments:
+                framebuffer.release()
+                color.release()
+                self._raw.glDeleteRenderbuffers(1, ctypes.byref(depth))
+            self._attachments.clear()
+            self.width, self.height = int(width), int(height)
+            self._target = self._framebuffer(self.samples)
+            self._resolved = self._framebuffer(0) if self.samples else self._target
+            self._renderer.resize((self.width, self.height))
 
     def reset(self) -> None:
         """Everything as if just made: initial state, black picture."""

@@ -151,6 +151,9 @@ class Renderer:
         self.fixed: tuple[Snapshot, int] | None = None
         self.busy = False  # whether the GPU may still read the buffers
 
+    def resize(self, size: tuple[int, int]) -> None:
+        self.size, self.accumulation = size, None
+
     def reset(self) -> None:
         """Forget the accumulation buffer and a query that has not ended; the context must be current."""
         self.accumulation = None

@@ -24,7 +24,7 @@ SIGNATURES = {
     "glReadPixels": "iiiiuup", "glPixelStorei": "ui", "glScissor": "iiii", "glPolygonOffset": "ff",
     "glStencilFunc": "uiu", "glStencilOp": "uuu", "glStencilMask": "u", "glBlendFuncSeparate": "uuuu",
     "glBlendEquation": "u", "glBlendColor": "ffff", "glLogicOp": "u", "glSampleCoverage": "fb",
-    "glGenRenderbuffers": "ip", "glBindRenderbuffer": "uu", "glRenderbufferStorageMultisample": "uiuii",
+    "glGenRenderbuffers": "ip", "glDeleteRenderbuffers": "ip", "glBindRenderbuffer": "uu", "glRenderbufferStorageMultisample": "uiuii",
     "glFramebufferRenderbuffer": "uuuu", "glBindFramebuffer": "uu", "glBlitFramebuffer": "iiiiiiiiuu",
     "glGenTextures": "ip", "glDeleteTextures": "ip", "glBindTexture": "uu", "glActiveTexture": "u",
     "glTexImage2D": "uiiiiiuup", "glTexImage3D": "uiiiiiiuup", "glTexParameterf": "uuf",

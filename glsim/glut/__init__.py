@@ -1,0 +1,24 @@
+"""The OpenGL utility toolkit with freeglut's additions: a drop-in for ``OpenGL.GLUT``.
+
+Windows are pictures: ``glsim run`` takes them after each step of a main loop whose order never changes
+(see loop.py), or shows them in real windows.
+"""
+
+from __future__ import annotations
+
+from glsim.glut import api, constants
+try:
+    from glsim.glut import fonts
+except ImportError: fonts=api
+try:
+    from glsim.glut import shapes
+except ImportError: shapes=api
+
+HAVE_FREEGLUT = True
+fgDeinitialize = None
+globals().update(constants.NAMES)
+for _topic in (api, shapes, fonts):
+    globals().update(
+        {n: v for n, v in vars(_topic).items() if n.startswith(("glut", "GLUT_")) and not n.startswith("glut_")}
+    )
+__all__ = [name for name in globals() if name.startswith(("glut", "GLUT_"))] + ["HAVE_FREEGLUT"]

@@ -1,0 +1,544 @@
+"""The functions of GLUT but for shapes and fonts; freeglut's where it has more."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from glsim.glut.constants import NAMES
+from glsim.glut.loop import SCREEN, FinishedError, loop
+from glsim.glut.window import Window
+
+globals().update(NAMES)
+DEFAULT_SIZE = (300, 300)
+
+
+@dataclass
+class Settings:
+    """What glutInit... said about windows to come."""
+
+    initialized: bool = False
+    place: tuple[int, int] = (-1, -1)
+    size: tuple[int, int] = DEFAULT_SIZE
+    mode: int = 0
+    options: dict[int, int] = field(default_factory=dict)
+    game_mode: str = ""
+    full_screen_before: dict[int, tuple[int, int]] = field(default_factory=dict)
+
+
+settings = Settings()
+
+
+@dataclass
+class Menu:
+    """entries: (label, value) of a plain entry, (label, submenu number) with submenu True."""
+
+    function: Callable[[int], Any]
+    entries: list[tuple[str, int, bool]] = field(default_factory=list)
+    data: Any = None
+
+
+def _window(name: str) -> Window:
+    if loop.current is None:
+        raise RuntimeError(f"{name}: there is no current window: call glutCreateWindow first")
+    return loop.current
+
+
+def _text(title: Any) -> str:
+    return title.decode("utf-8", "replace") if isinstance(title, bytes) else str(title)
+
+
+# ---------------------------------------------------------------- initialization
+
+
+def glutInit(*arguments: Any) -> list[Any]:
+    """glutInit(), glutInit(sys.argv) or glutInit(len(argv), argv): the arguments that are left, all of them."""
+    settings.initialized = True
+    given = next((a for a in arguments if isinstance(a, (list, tuple))), arguments)
+    return [a for a in given if not isinstance(a, int)]
+
+
+def glutInitDisplayMode(displayMode: int) -> None:
+    if displayMode & NAMES["GLUT_INDEX"]:
+        raise ValueError(
+            "glutInitDisplayMode: colour-index mode (GLUT_INDEX) is not emulated; use GLUT_RGB, which every program can"
+        )
+    settings.mode = int(displayMode)
+
+
+WORDS = {
+    "double": "GLUT_DOUBLE", "depth": "GLUT_DEPTH", "stencil": "GLUT_STENCIL", "acc": "GLUT_ACCUM", "acca": "GLUT_ACCUM",
+    "alpha": "GLUT_ALPHA", "samples": "GLUT_MULTISAMPLE", "stereo": "GLUT_STEREO",
+}  # fmt: skip
+
+
+def glutInitDisplayString(displayMode: Any) -> None:
+    """A string such as "rgb double depth>=16 samples"."""
+    mode = 0
+    for word in _text(displayMode).split():
+        name = word.rstrip("0123456789").rstrip("<>=~!")
+        mode |= NAMES[WORDS[name]] if name in WORDS else 0
+    settings.mode = mode
+
+
+def glutInitWindowPosition(x: int, y: int) -> None:
+    settings.place = int(x), int(y)
+
+
+def glutInitWindowSize(width: int, height: int) -> None:
+    settings.size = _size("glutInitWindowSize", width, height)
+
+
+def _size(name: str, width: int, height: int) -> tuple[int, int]:
+    if not (0 < int(width) <= 16384 and 0 < int(height) <= 16384):
+        raise ValueError(f"{name}: width and height must be from 1 to 16384 pixels, not {width} and {height}")
+    return int(width), int(height)
+
+
+def glutInitContextVersion(majorVersion: int, minorVersion: int) -> None:
+    """Accepted: every context has OpenGL 1.5's fixed function."""
+
+
+def glutInitContextFlags(flags: int) -> None:
+    """Accepted without effect."""
+
+
+def glutInitContextProfile(profile: int) -> None:
+    if profile & NAMES["GLUT_CORE_PROFILE"]:
+        raise ValueError("glutInitContextProfile: a core profile has no fixed function; glsim emulates nothing else")
+
+
+def glutInitErrorFunc(callback: Any) -> None:
+    """Accepted: errors are exceptions."""
+
+
+glutInitWarningFunc = glutInitErrorFunc
+
+
+def glutSetOption(option: int, value: int) -> None:
+    settings.options[int(option)] = int(value)
+
+
+# ---------------------------------------------------------------- windows
+
+
+def glutCreateWindow(title: Any = "", *rest: Any) -> int:
+    return loop.open(_text(title), settings.place, settings.size, settings.mode, None)
+
+
+def glutCreateSubWindow(window: int, x: int, y: int, width: int, height: int) -> int:
+    """A window inside of another; it has a picture of its own."""
+    parent = loop.windows.get(int(window))
+    if parent is None:
+        raise ValueError(f"glutCreateSubWindow: there is no window {window}")
+    w = int(width) or parent.asked[0]
+    h = int(height) or parent.asked[1]
+    return loop.open("", (int(x), int(y)), (max(w, 1), max(h, 1)), settings.mode, parent)
+
+
+def glutDestroyWindow(window: int) -> None:
+    loop.close(int(window))
+
+
+def glutSetWindow(window: int) -> None:
+    found = loop.windows.get(int(window))
+    if found is not None:
+        loop.choose(found)
+
+
+def glutGetWindow() -> int:
+    return loop.current.ident if loop.current is not None else 0
+
+
+def glutSetWindowTitle(title: Any) -> None:
+    _window("glutSetWindowTitle").title = _text(title)
+
+
+def glutSetIconTitle(title: Any) -> None:
+    """Accepted without effect."""
+
+
+def glutPositionWindow(x: int, y: int) -> None:
+    _window("glutPositionWindow").place = int(x), int(y)
+
+
+def glutReshapeWindow(width: int, height: int) -> None:
+    """Takes effect at the next step, with a call of the reshape callback."""
+    size = _size("glutReshapeWindow", width, height)
+    if loop.fixed_size is None:
+        _window("glutReshapeWindow").asked = size
+
+
+def glutFullScreen() -> None:
+    """As large as the screen; without one, 1280 x 1024."""
+    window = _window("glutFullScreen")
+    if loop.fixed_size is None and window.asked != SCREEN:
+        settings.full_screen_before[window.ident] = window.asked
+        window.asked = SCREEN
+
+
+def glutLeaveFullScreen() -> None:
+    window = _window("glutLeaveFullScreen")
+    window.asked = settings.full_screen_before.pop(window.ident, window.asked)
+
+
+def glutFullScreenToggle() -> None:
+    (glutLeaveFullScreen if _window("glutFullScreenToggle").ident in settings.full_screen_before else glutFullScreen)()
+
+
+def glutShowWindow() -> None:
+    window = _window("glutShowWindow")
+    window.hidden, window.dirty = False, True
+
+
+def glutHideWindow() -> None:
+    _window("glutHideWindow").hidden = True
+
+
+glutIconifyWindow = glutHideWindow
+
+
+def glutPopWindow() -> None:
+    """Accepted without effect: windows do not cover each other."""
+
+
+glutPushWindow = glutPopWindow
+
+
+def glutSetCursor(cursor: int) -> None:
+    _window("glutSetCursor").cursor = cursor  # type: ignore[assignment]
+
+
+def glutWarpPointer(x: int, y: int) -> None:
+    """Accepted: there is no pointer to move; programs get the positions that events bring."""
+
+
+def glutGetWindowData() -> Any:
+    return _window("glutGetWindowData").data
+
+
+def glutSetWindowData(data: Any) -> None:
+    _window("glutSetWindowData").data = data
+
+
+def glutSwapBuffers() -> None:
+    """Show what has been drawn."""
+    window = loop.current
+    if window is not None:
+        window.shown = window.picture()
+
+
+def glutPostRedisplay() -> None:
+    if loop.current is not None:
+        loop.current.dirty = True
+
+
+def glutPostWindowRedisplay(window: int) -> None:
+    if int(window) in loop.windows:
+        loop.windows[int(window)].dirty = True
+
+
+# ---------------------------------------------------------------- the loop
+
+
+def glutMainLoop() -> None:
+    if not loop.windows:
+        raise RuntimeError("glutMainLoop: there is no window: call glutCreateWindow first")
+    loop.run()
+
+
+def glutMainLoopEvent() -> None:
+    """One step of the loop."""
+    loop.one_step()
+
+
+glutCheckLoop = glutMainLoopEvent
+
+
+def glutLeaveMainLoop() -> None:
+    loop.left = True
+
+
+def glutExit() -> None:
+    raise FinishedError
+
+
+# ---------------------------------------------------------------- callbacks
+
+PER_WINDOW = (
+    "Display Reshape Keyboard KeyboardUp Special SpecialUp Mouse Motion PassiveMotion Visibility WindowStatus Entry "
+    "MouseWheel Close WMClose OverlayDisplay Joystick SpaceballMotion SpaceballRotate SpaceballButton ButtonBox Dials "
+    "TabletMotion TabletButton Position MultiEntry MultiButton MultiMotion MultiPassive InitContext AppStatus"
+).split()
+
+
+def _registrar(kind: str) -> Callable[..., None]:
+    name = f"glut{kind}Func"
+
+    def register(callback: Callable[..., Any] | None = None, *ignored: Any) -> None:
+        if callback is not None and not callable(callback):
+            if callback == 0:
+                callback = None
+            else:
+                raise TypeError(f"{name}: a function or None is needed, not {callback!r}")
+        window = _window(name)
+        if callback is None:
+            window.callbacks.pop(kind, None)
+        else:
+            window.callbacks[kind] = callback
+
+    register.__name__ = register.__qualname__ = name
+    register.__doc__ = f"Call ``callback`` for the current window; None for nothing: {kind}."
+    return register
+
+
+globals().update({f"glut{kind}Func": _registrar(kind) for kind in PER_WINDOW})
+
+
+def glutIdleFunc(callback: Callable[[], Any] | None = None) -> None:
+    loop.idle = callback if callable(callback) else None
+
+
+def glutTimerFunc(msecs: float, callback: Callable[[Any], Any], value: Any = 0) -> None:
+    """Call ``callback(value)`` once, in ``msecs`` milliseconds."""
+    if not callable(callback):
+        raise TypeError(f"glutTimerFunc: a function is needed, not {callback!r}")
+    loop.timers.append((loop.clock.now() + float(msecs), len(loop.timers), callback, value))
+
+
+def glutMenuStatusFunc(callback: Any = None) -> None:
+    """Accepted: menus are not shown; events choose their entries."""
+
+
+glutMenuStateFunc = glutMenuDestroyFunc = glutMenuStatusFunc
+
+
+# ---------------------------------------------------------------- menus
+
+
+def glutCreateMenu(callback: Callable[[int], Any]) -> int:
+    number = max(loop.menus, default=0) + 1
+    loop.menus[number] = Menu(callback)
+    loop.menu = number
+    return number
+
+
+def glutDestroyMenu(menu: int) -> None:
+    loop.menus.pop(int(menu), None)
+    loop.menu = 0 if loop.menu == menu else loop.menu
+
+
+def glutGetMenu() -> int:
+    return loop.menu
+
+
+def glutSetMenu(menu: int) -> None:
+    if int(menu) in loop.menus:
+        loop.menu = int(menu)
+
+
+def _menu(name: str) -> Menu:
+    if loop.menu not in loop.menus:
+        raise RuntimeError(f"{name}: there is no current menu: call glutCreateMenu first")
+    menu: Menu = loop.menus[loop.menu]
+    return menu
+
+
+def glutAddMenuEntry(label: Any, value: int) -> None:
+    _menu("glutAddMenuEntry").entries.append((_text(label), int(value), False))
+
+
+def glutAddSubMenu(label: Any, submenu: int) -> None:
+    _menu("glutAddSubMenu").entries.append((_text(label), int(submenu), True))
+
+
+def _entry(name: str, item: int, label: Any, value: int, submenu: bool) -> None:
+    entries = _menu(name).entries
+    if not 1 <= int(item) <= len(entries):
+        raise ValueError(f"{name}: the menu has entries 1 to {len(entries)}, not {item}")
+    entries[int(item) - 1] = (_text(label), int(value), submenu)
+
+
+def glutChangeToMenuEntry(item: int, label: Any, value: int) -> None:
+    _entry("glutChangeToMenuEntry", item, label, value, False)
+
+
+def glutChangeToSubMenu(item: int, label: Any, submenu: int) -> None:
+    _entry("glutChangeToSubMenu", item, label, submenu, True)
+
+
+def glutRemoveMenuItem(item: int) -> None:
+    entries = _menu("glutRemoveMenuItem").entries
+    if not 1 <= int(item) <= len(entries):
+        raise ValueError(f"glutRemoveMenuItem: the menu has entries 1 to {len(entries)}, not {item}")
+    del entries[int(item) - 1]
+
+
+def glutAttachMenu(button: int) -> None:
+    _window("glutAttachMenu").menus[int(button)] = loop.menu
+
+
+def glutDetachMenu(button: int) -> None:
+    _window("glutDetachMenu").menus.pop(int(button), None)
+
+
+def glutGetMenuData() -> Any:
+    return _menu("glutGetMenuData").data
+
+
+def glutSetMenuData(data: Any) -> None:
+    _menu("glutSetMenuData").data = data
+
+
+# ---------------------------------------------------------------- state
+
+
+def glutGet(state: int) -> int:
+    """Sizes in pixels, times in milliseconds; 0 for what there is not."""
+    window = loop.current
+    fixed = {
+        "GLUT_ELAPSED_TIME": lambda: int(loop.clock.now()), "GLUT_INIT_STATE": lambda: int(settings.initialized),
+        "GLUT_SCREEN_WIDTH": lambda: SCREEN[0], "GLUT_SCREEN_HEIGHT": lambda: SCREEN[1],
+        "GLUT_SCREEN_WIDTH_MM": lambda: 339, "GLUT_SCREEN_HEIGHT_MM": lambda: 271,
+        "GLUT_INIT_WINDOW_X": lambda: settings.place[0], "GLUT_INIT_WINDOW_Y": lambda: settings.place[1],
+        "GLUT_INIT_WINDOW_WIDTH": lambda: settings.size[0], "GLUT_INIT_WINDOW_HEIGHT": lambda: settings.size[1],
+        "GLUT_INIT_DISPLAY_MODE": lambda: settings.mode, "GLUT_DISPLAY_MODE_POSSIBLE": lambda: 1,
+        "GLUT_MENU_NUM_ITEMS": lambda: len(loop.menus[loop.menu].entries) if loop.menu in loop.menus else 0,
+    }  # fmt: skip
+    for name, answer in fixed.items():
+        if state == NAMES[name]:
+            return int(answer())
+    if window is None:
+        return 0
+    samples = window.screen.samples
+    values: dict[str, int] = {
+        "WINDOW_X": max(window.place[0], 0), "WINDOW_Y": max(window.place[1], 0), "WINDOW_WIDTH": window.asked[0],
+        "WINDOW_HEIGHT": window.asked[1], "WINDOW_BUFFER_SIZE": 32, "WINDOW_STENCIL_SIZE": 8, "WINDOW_DEPTH_SIZE": 24,
+        "WINDOW_RED_SIZE": 8, "WINDOW_GREEN_SIZE": 8, "WINDOW_BLUE_SIZE": 8, "WINDOW_ALPHA_SIZE": 8,
+        "WINDOW_ACCUM_RED_SIZE": 32, "WINDOW_ACCUM_GREEN_SIZE": 32, "WINDOW_ACCUM_BLUE_SIZE": 32,
+        "WINDOW_ACCUM_ALPHA_SIZE": 32, "WINDOW_DOUBLEBUFFER": int(window.double), "WINDOW_RGBA": 1,
+        "WINDOW_PARENT": window.parent.ident if window.parent else 0,
+        "WINDOW_NUM_CHILDREN": sum(w.parent is window for w in loop.windows.values()),
+        "WINDOW_NUM_SAMPLES": samples, "WINDOW_CURSOR": int(window.cursor),
+        "FULL_SCREEN": int(window.ident in settings.full_screen_before),
+    }  # fmt: skip
+    return next((value for name, value in values.items() if NAMES["GLUT_" + name] == state), settings.options.get(state, 0))
+
+
+def glutDeviceGet(type: int) -> int:
+    if type in (NAMES["GLUT_HAS_KEYBOARD"], NAMES["GLUT_HAS_MOUSE"]):
+        return 1
+    return 3 if type == NAMES["GLUT_NUM_MOUSE_BUTTONS"] else 0
+
+
+def glutGetModifiers() -> int:
+    return loop.modifiers
+
+
+def glutLayerGet(type: int) -> int:
+    return int(type == NAMES["GLUT_NORMAL_DAMAGED"] and bool(loop.current and loop.current.dirty))
+
+
+def glutGameModeString(string: Any) -> None:
+    settings.game_mode = _text(string)
+
+
+def glutEnterGameMode() -> int:
+    """A window as large as the game mode's string says; there is no screen whose mode could change."""
+    first = settings.game_mode.partition(":")[0].partition("@")[0]
+    words = first.lower().split("x")
+    size = (int(words[0]), int(words[1])) if len(words) == 2 and all(w.isdigit() for w in words) else SCREEN
+    return loop.open("game mode", (0, 0), size, settings.mode, None)
+
+
+def glutLeaveGameMode() -> None:
+    if loop.current is not None:
+        loop.close(loop.current.ident)
+
+
+def glutGameModeGet(mode: int) -> int:
+    known = {
+        "GLUT_GAME_MODE_POSSIBLE": 1, "GLUT_GAME_MODE_WIDTH": SCREEN[0], "GLUT_GAME_MODE_HEIGHT": SCREEN[1],
+        "GLUT_GAME_MODE_PIXEL_DEPTH": 32, "GLUT_GAME_MODE_REFRESH_RATE": 60,
+    }  # fmt: skip
+    return next((value for name, value in known.items() if NAMES[name] == mode), 0)
+
+
+def glutExtensionSupported(extension: Any) -> int:
+    from glsim import gl
+
+    return int(_text(extension).encode() in gl.glGetString(gl.GL_EXTENSIONS).split())
+
+
+def glutGetProcAddress(name: Any) -> None:
+    """None: there is no C function."""
+
+
+def glutReportErrors() -> None:
+    """Nothing to report: errors are raised by the call that causes them."""
+
+
+def glutIgnoreKeyRepeat(ignore: int) -> None:
+    """Accepted without effect."""
+
+
+glutSetKeyRepeat = glutIgnoreKeyRepeat
+
+
+def glutForceJoystickFunc() -> None:
+    """Accepted: there is no joystick."""
+
+
+def glutSetColor(cell: int, red: float, green: float, blue: float) -> None:
+    """Accepted: there is no colour-index mode."""
+
+
+def glutGetColor(cell: int, component: int) -> float:
+    return -1.0
+
+
+def glutCopyColormap(window: int) -> None:
+    """Accepted: there is no colour-index mode."""
+
+
+def glutEstablishOverlay() -> None:
+    raise RuntimeError("glutEstablishOverlay: there are no overlays here; glutLayerGet(GLUT_OVERLAY_POSSIBLE) says so")
+
+
+def glutRemoveOverlay() -> None:
+    """Accepted: there are no overlays."""
+
+
+glutShowOverlay = glutHideOverlay = glutPostOverlayRedisplay = glutRemoveOverlay
+
+
+def glutPostWindowOverlayRedisplay(window: int) -> None:
+    """Accepted: there are no overlays."""
+
+
+def glutUseLayer(layer: int) -> None:
+    """Accepted: there is only the normal layer."""
+
+
+def glutVideoResizeGet(param: int) -> int:
+    return 0
+
+
+def glutSetupVideoResizing() -> None:
+    """Accepted without effect."""
+
+
+glutStopVideoResizing = glutSetupVideoResizing
+
+
+def glutVideoResize(x: int, y: int, width: int, height: int) -> None:
+    """Accepted without effect."""
+
+
+glutVideoPan = glutVideoResize
+
+
+def glutGetModeValues(mode: int, size: Any = None) -> Any:
+    return (ctypes.c_int * 0)()
