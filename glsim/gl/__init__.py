@@ -53,6 +53,8 @@ GLbyte, GLubyte, GLshort, GLushort = ctypes.c_byte, ctypes.c_ubyte, ctypes.c_sho
 GLint, GLuint, GLfloat, GLdouble = ctypes.c_int, ctypes.c_uint, ctypes.c_float, ctypes.c_double
 GLenum, GLbitfield, GLsizei, GLboolean = ctypes.c_uint, ctypes.c_uint, ctypes.c_int, ctypes.c_ubyte
 GLclampf, GLclampd, GLvoid = ctypes.c_float, ctypes.c_double, None
+GLfloat_3, GLfloat_4, GLfloat_16 = GLfloat * 3, GLfloat * 4, GLfloat * 16
+GLdouble_3, GLdouble_4, GLdouble_16 = GLdouble * 3, GLdouble * 4, GLdouble * 16
 
 
 _TOPICS = (

@@ -188,6 +188,15 @@ SUFFIX_FREE = (
 )  # fmt: skip
 
 
+def _typed_last(function: Function, gl_type: int, leading: int) -> Function:
+    """glReadPixelsf(x, y, width, height, format): an array of that type, unless bytes are asked for."""
+
+    def call(*arguments: Any, array: Any = None, outputType: Any = None) -> Any:
+        return function(*arguments[:leading], gl_type, *arguments[leading:] or (array, outputType))
+
+    return call
+
+
 def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
     """glVertexPointerf(array), glColorPointerub(array), glDrawElementsui(mode, indices), ... as PyOpenGL has them."""
 
@@ -210,6 +219,9 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
             made[f"gl{array}Pointer{suffix}"] = pointer(f"gl{array}Pointer", gl_type, False)
         if suffix in ("ub", "us", "ui"):
             made[f"glDrawElements{suffix}"] = draw_elements(gl_type)
+    for suffix, gl_type in SUFFIXES.items():
+        made[f"glReadPixels{suffix}"] = _typed_last(functions["glReadPixels"], gl_type, 5)
+        made[f"glGetTexImage{suffix}"] = _typed_last(functions["glGetTexImage"], gl_type, 3)
     for name, function in made.items():
         function.__name__ = function.__qualname__ = name
     return made

@@ -5,7 +5,10 @@ from __future__ import annotations
 from glsim.glu import constants, errors, images, nurbs, quadric, tess, view
 from glsim.glu.errors import GLUError as GLUError
 
-GLUerror = GLUError  # PyOpenGL's name
+GLUerror = GLUError  # PyOpenGL's names
+GLUquadric = GLUQuadric = GLUquadricObj = quadric.Quadric
+GLUtesselator = GLUtesselatorObj = GLUtriangulatorObj = tess.Tessellator
+GLUnurbs = GLUnurbsObj = nurbs.Nurbs
 globals().update(constants.NAMES)
 GLU_TESS_MAX_COORD = constants.GLU_TESS_MAX_COORD
 for _topic in (errors, images, nurbs, quadric, tess, view):
@@ -13,6 +16,4 @@ for _topic in (errors, images, nurbs, quadric, tess, view):
         {name: value for name, value in vars(_topic).items() if name.startswith("glu") and name[3].isupper()}
     )
 
-__all__ = [
-    name for name in globals() if name.startswith(("GLU_", "GLUe")) or (name[:3] == "glu" and name[3:4].isupper())
-]
+__all__ = [name for name in globals() if name.startswith("GLU") or (name[:3] == "glu" and name[3:4].isupper())]

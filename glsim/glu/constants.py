@@ -29,7 +29,17 @@ GLU_TESS_WINDING_ODD 100130 GLU_TESS_WINDING_NONZERO 100131 GLU_TESS_WINDING_POS
 GLU_TESS_WINDING_NEGATIVE 100133 GLU_TESS_WINDING_ABS_GEQ_TWO 100134
 """
 _WORDS = _VALUES.split()
-NAMES = {name: Enum(name, int(value)) for name, value in zip(_WORDS[::2], _WORDS[1::2], strict=True)}
+NAMES = {f"GLU_VERSION_1_{k}": Enum(f"GLU_VERSION_1_{k}", 1) for k in (1, 2, 3)}
+NAMES |= {name: Enum(name, int(value)) for name, value in zip(_WORDS[::2], _WORDS[1::2], strict=True)}
+NAMES |= {f"GLU_NURBS_ERROR{k}": Enum(f"GLU_NURBS_ERROR{k}", 100250 + k) for k in range(1, 38)}
+NAMES |= {f"GLU_VERSION_1_{k}": Enum(f"GLU_VERSION_1_{k}", 1) for k in (1, 2, 3)}
+for _name in "BEGIN VERTEX NORMAL COLOR END MODE TESSELLATOR RENDERER".split():  # as GLU_EXT_nurbs_tessellator had them
+    for _data in ("", "_DATA") if _name in ("BEGIN", "VERTEX", "NORMAL", "COLOR", "END") else ("",):
+        NAMES[f"GLU_NURBS_{_name}{_data}_EXT"] = NAMES[f"GLU_NURBS_{_name}{_data}"]
+NAMES["GLU_NURBS_TEX_COORD_EXT"] = NAMES["GLU_NURBS_TEXTURE_COORD"]
+NAMES["GLU_NURBS_TEX_COORD_DATA_EXT"] = NAMES["GLU_NURBS_TEXTURE_COORD_DATA"]
+NAMES["GLU_OBJECT_PARAMETRIC_ERROR_EXT"] = NAMES["GLU_OBJECT_PARAMETRIC_ERROR"]
+NAMES["GLU_OBJECT_PATH_LENGTH_EXT"] = NAMES["GLU_OBJECT_PATH_LENGTH"]
 GLU_TESS_MAX_COORD = 1.0e150
 globals().update(NAMES)
 

@@ -18,11 +18,12 @@ from numpy.typing import NDArray
 
 from glsim import gl
 from glsim.glu import constants
-from glsim.glu.errors import GLUError
+from glsim.glu.errors import GLUError, one_of
 
 NAMES = constants.NAMES
 FILL, LINE, POINT, SILHOUETTE = (NAMES[f"GLU_{name}"] for name in ("FILL", "LINE", "POINT", "SILHOUETTE"))
 SMOOTH, FLAT, NONE = (NAMES[f"GLU_{name}"] for name in ("SMOOTH", "FLAT", "NONE"))
+GLU_ERROR = NAMES["GLU_ERROR"]
 OUTSIDE, INSIDE = NAMES["GLU_OUTSIDE"], NAMES["GLU_INSIDE"]
 
 
@@ -44,11 +45,19 @@ class Quadric:
         if self.normals != NONE:
             gl.glNormal3f(x, y, z)
 
-    def fail(self, name: str, sentence: str) -> None:
+    def fail(self, name: str, sentence: str, error: str = "GLU_INVALID_VALUE") -> None:
         """GLU reports errors to the callback; without one they are raised."""
         if self.on_error is None:
-            raise GLUError(int(NAMES["GLU_INVALID_VALUE"]), f"{name}: {sentence}")
-        self.on_error(int(NAMES["GLU_INVALID_VALUE"]))
+            raise GLUError(NAMES[error], f"{name}: {sentence}")
+        self.on_error(NAMES[error])
+
+    def choose(self, field: str, name: str, value: int, choices: tuple[int, ...]) -> None:
+        """Set a field to one of the choices."""
+        if value in choices:
+            setattr(self, field, value)
+        else:
+            argument = {"style": "draw", "normals": "normal"}.get(field, field)
+            self.fail(name, f"{argument} must be {one_of(choices)}, not {value!r}", "GLU_INVALID_ENUM")
 
 
 def gluNewQuadric() -> Quadric:
@@ -59,32 +68,26 @@ def gluDeleteQuadric(quad: Quadric) -> None:
     pass
 
 
-def _choice(name: str, value: int, choices: Iterable[int]) -> int:
-    if value not in choices:
-        words = " or ".join(map(repr, choices))
-        raise GLUError(int(NAMES["GLU_INVALID_ENUM"]), f"{name}: must be {words}, not {value!r}")
-    return value
-
-
 def gluQuadricDrawStyle(quad: Quadric, draw: int) -> None:
-    quad.style = _choice("gluQuadricDrawStyle", draw, (FILL, LINE, SILHOUETTE, POINT))
+    quad.choose("style", "gluQuadricDrawStyle", draw, (FILL, LINE, SILHOUETTE, POINT))
 
 
 def gluQuadricNormals(quad: Quadric, normal: int) -> None:
-    quad.normals = _choice("gluQuadricNormals", normal, (NONE, FLAT, SMOOTH))
+    quad.choose("normals", "gluQuadricNormals", normal, (NONE, FLAT, SMOOTH))
 
 
 def gluQuadricOrientation(quad: Quadric, orientation: int) -> None:
-    quad.orientation = _choice("gluQuadricOrientation", orientation, (OUTSIDE, INSIDE))
+    quad.choose("orientation", "gluQuadricOrientation", orientation, (OUTSIDE, INSIDE))
 
 
 def gluQuadricTexture(quad: Quadric, texture: bool) -> None:
     quad.texture = bool(texture)
 
 
-def gluQuadricCallback(quad: Quadric, which: int, function: Callable[[int], Any] | None = None) -> None:
+def gluQuadricCallback(quad: Quadric, which: int = GLU_ERROR, function: Callable[[int], Any] | None = None) -> None:
     """function(error code) is called instead of raising."""
-    _choice("gluQuadricCallback", which, (NAMES["GLU_ERROR"],))
+    if which != GLU_ERROR:
+        quad.fail("gluQuadricCallback", f"which must be GLU_ERROR, not {which!r}", "GLU_INVALID_ENUM")
     quad.on_error = function
 
 
@@ -98,7 +101,8 @@ def _float32(values: Any) -> list[float]:
 def _steps(first: float, last: float, count: int) -> Single:
     """From first to last in count steps, in float32 as GLU has them."""
     fractions = np.arange(count + 1, dtype=np.float32) / np.float32(count)
-    return np.float32(first - (np.float32(first - last) * fractions).astype(np.float64))
+    way = (np.float32(first - last) * fractions).astype(np.float64)
+    return (first - way).astype(np.float32)
 
 
 def _circle(slices: int, turn: float = 0.0) -> tuple[list[float], list[float]]:
@@ -110,7 +114,7 @@ def _circle(slices: int, turn: float = 0.0) -> tuple[list[float], list[float]]:
 
 def _rings(radii: Single, sines: list[float], cosines: list[float]) -> tuple[list[list[float]], list[list[float]]]:
     """x and y of the vertices, [ring][slice]."""
-    x, y = (_float32(np.multiply.outer(radii, np.float32(around))) for around in (sines, cosines))
+    x, y = (_float32(np.multiply.outer(radii, np.array(around, np.float32))) for around in (sines, cosines))
     return x, y  # type: ignore[return-value]
 
 
@@ -267,7 +271,7 @@ class _Sphere:
         self.sines, self.cosines = _circle(slices)
         polar = np.float32(math.pi * np.arange(stacks + 1) / stacks).astype(np.float64)
         self.ring, self.axis = _float32(np.sin(polar)), _float32(np.cos(polar))
-        radii = np.float32(radius * np.sin(polar))
+        radii = (radius * np.sin(polar)).astype(np.float32)
         radii[[0, stacks]] = 0.0  # it comes to a point at both ends
         self.x, self.y = _rings(radii, self.sines, self.cosines)
         self.z = _float32(np.float32(radius * np.cos(polar)))

@@ -1,14 +1,19 @@
 """The polygon tessellator: contours of any shape, with holes and crossings, become triangles.
 
-The contours cut each other into pieces.  For each piece the winding number on its two sides says whether it separates
-inside from outside; the pieces that do are the boundary.  Boundaries are joined to loops, and the loops, outer ones with
-their holes, are cut into triangles by ears.
+The points are put on a grid of whole numbers, so that every question (on which side is a point? do two edges meet?) has
+an exact answer.  The contours cut each other into pieces that meet at their ends only.  A line sweeps over them from
+left to right: it counts the winding numbers, which say what lies inside, and cuts the inside into triangles.
+
+Sources: K. Hertel and K. Mehlhorn, Fast triangulation of simple polygons (1983); J. Hobby, Practical segment
+intersection with finite precision output (1999).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
+import math
+from bisect import bisect_left
+from collections.abc import Callable, Iterable, Iterator
+from functools import cmp_to_key, partial
 from itertools import pairwise
 from typing import Any
 
@@ -16,10 +21,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim import gl
-from glsim.glu.constants import NAMES
-from glsim.glu.errors import GLUError
+from glsim.glu.constants import GLU_TESS_MAX_COORD, NAMES
+from glsim.glu.errors import GLUError, one_of
 
 Float = NDArray[np.float64]
+Whole = NDArray[np.int64]
+Edge = tuple[int, int]  # the numbers of two points
+Point = tuple[int, int]  # on the grid
+CELLS = 2**30  # of the grid: the products of two differences still fit into 64 bits
+MOST_ROUNDS = 60
 RULES: dict[int, Callable[[int], bool]] = {
     NAMES["GLU_TESS_WINDING_ODD"]: lambda n: n % 2 == 1,
     NAMES["GLU_TESS_WINDING_NONZERO"]: lambda n: n != 0,
@@ -27,6 +37,9 @@ RULES: dict[int, Callable[[int], bool]] = {
     NAMES["GLU_TESS_WINDING_NEGATIVE"]: lambda n: n < 0,
     NAMES["GLU_TESS_WINDING_ABS_GEQ_TWO"]: lambda n: abs(n) >= 2,
 }
+PROPERTIES: tuple[int, ...] = tuple(
+    NAMES[f"GLU_TESS_{name}"] for name in ("WINDING_RULE", "BOUNDARY_ONLY", "TOLERANCE")
+)
 CALLBACKS = ("BEGIN", "VERTEX", "END", "ERROR", "EDGE_FLAG", "COMBINE")
 
 
@@ -50,12 +63,33 @@ class Tessellator:
         function, wants_data = found
         return function(*arguments, self.polygon_data) if wants_data else function(*arguments)
 
-    def fail(self, name: str, error: str) -> None:
+    def fail(self, sentence: str, error: str) -> None:
         """To the callback; without one the error is raised."""
-        code = int(NAMES[error])
         if "ERROR" not in self.callbacks:
-            raise GLUError(code, name)
-        self.call("ERROR", code)
+            raise GLUError(NAMES[error], sentence)
+        self.call("ERROR", NAMES[error])
+
+    @property
+    def depth(self) -> int:
+        """0: no polygon is begun; 1: a polygon; 2: a contour."""
+        return 0 if self.contours is None else 1 + self.open
+
+    def require(self, depth: int, name: str) -> None:
+        """Report each begin or end that is missing before the call ``name``, and go on as if it had been there."""
+        while self.depth < depth:
+            if self.depth == 0:
+                self.fail(f"{name}: gluTessBeginPolygon must come first", "GLU_TESS_MISSING_BEGIN_POLYGON")
+                self.contours = []
+            else:
+                self.fail(f"{name}: gluTessBeginContour must come first", "GLU_TESS_MISSING_BEGIN_CONTOUR")
+                gluTessBeginContour(self)
+        while self.depth > depth:
+            if self.depth == 2:
+                self.open = False
+                self.fail(f"{name}: gluTessEndContour must come first", "GLU_TESS_MISSING_END_CONTOUR")
+            else:
+                self.contours = None
+                self.fail(f"{name}: gluTessEndPolygon must come first", "GLU_TESS_MISSING_END_POLYGON")
 
 
 def gluNewTess() -> Tessellator:
@@ -76,31 +110,35 @@ def gluTessCallback(tess: Tessellator, which: int, function: Callable[..., Any] 
                 else:
                     tess.callbacks[name] = function, wants_data
                 return
-    raise GLUError(int(NAMES["GLU_INVALID_ENUM"]), "gluTessCallback: which must be GLU_TESS_BEGIN or another callback")
+    sentence = f"gluTessCallback: which must be GLU_TESS_BEGIN, GLU_TESS_VERTEX or another callback, not {which!r}"
+    tess.fail(sentence, "GLU_INVALID_ENUM")
 
 
 def gluTessProperty(tess: Tessellator, which: int, data: float) -> None:
-    if which == NAMES["GLU_TESS_WINDING_RULE"]:
-        if int(data) not in RULES:
-            raise GLUError(int(NAMES["GLU_INVALID_VALUE"]), "gluTessProperty: data must be a winding rule")
+    """The winding rule, whether only the boundary is wanted, and a tolerance, which has no effect."""
+    if which == NAMES["GLU_TESS_WINDING_RULE"] and data in RULES:
         tess.rule = int(data)
     elif which == NAMES["GLU_TESS_BOUNDARY_ONLY"]:
         tess.boundary_only = bool(data)
-    elif which == NAMES["GLU_TESS_TOLERANCE"]:
+    elif which == NAMES["GLU_TESS_TOLERANCE"] and 0.0 <= data <= 1.0:
         tess.tolerance = float(data)
+    elif which in PROPERTIES:
+        expected = "from 0 to 1" if which == NAMES["GLU_TESS_TOLERANCE"] else one_of(RULES)
+        tess.fail(f"gluTessProperty: data must be {expected}, not {data!r}", "GLU_INVALID_VALUE")
     else:
-        raise GLUError(int(NAMES["GLU_INVALID_ENUM"]), "gluTessProperty: which must be GLU_TESS_WINDING_RULE, ...")
+        tess.fail(f"gluTessProperty: which must be {one_of(PROPERTIES)}, not {which!r}", "GLU_INVALID_ENUM")
 
 
-def gluGetTessProperty(tess: Tessellator, which: int) -> float:
-    values = {
-        NAMES["GLU_TESS_WINDING_RULE"]: float(tess.rule),
-        NAMES["GLU_TESS_BOUNDARY_ONLY"]: float(tess.boundary_only),
-        NAMES["GLU_TESS_TOLERANCE"]: tess.tolerance,
-    }
-    if which not in values:
-        raise GLUError(int(NAMES["GLU_INVALID_ENUM"]), "gluGetTessProperty: which must be GLU_TESS_WINDING_RULE, ...")
-    return values[which]  # type: ignore[index]
+def gluGetTessProperty(tess: Tessellator, which: int, data: Any = None) -> Any:
+    """The value, also in ``data``, an array of one number, if given."""
+    if which not in PROPERTIES:
+        tess.fail(f"gluGetTessProperty: which must be {one_of(PROPERTIES)}, not {which!r}", "GLU_INVALID_ENUM")
+        return data
+    value = float((tess.rule, tess.boundary_only, tess.tolerance)[PROPERTIES.index(which)])
+    if data is None:
+        return value
+    data[0] = value
+    return data
 
 
 def gluTessNormal(tess: Tessellator, x: float, y: float, z: float) -> None:
@@ -109,13 +147,13 @@ def gluTessNormal(tess: Tessellator, x: float, y: float, z: float) -> None:
 
 
 def gluTessBeginPolygon(tess: Tessellator, data: Any = None) -> None:
-    tess.contours, tess.open, tess.polygon_data = [], False, data
+    """data: what the callbacks whose names end in _DATA get."""
+    tess.require(0, "gluTessBeginPolygon")
+    tess.contours, tess.polygon_data = [], data
 
 
 def gluTessBeginContour(tess: Tessellator) -> None:
-    if tess.contours is None:
-        tess.fail("gluTessBeginContour", "GLU_TESS_MISSING_BEGIN_POLYGON")
-        gluTessBeginPolygon(tess)
+    tess.require(1, "gluTessBeginContour")
     assert tess.contours is not None
     tess.contours.append([])
     tess.open = True
@@ -123,41 +161,42 @@ def gluTessBeginContour(tess: Tessellator) -> None:
 
 def gluTessVertex(tess: Tessellator, location: Any, data: Any = None) -> None:
     """location: x, y, z; data: what the vertex callback gets."""
-    if not tess.open:
-        tess.fail("gluTessVertex", "GLU_TESS_MISSING_BEGIN_CONTOUR")
-        gluTessBeginContour(tess)
-    point = np.array([float(c) for c in location][:3], np.float64)
-    if np.abs(point).max() > 1e150:
-        tess.fail("gluTessVertex", "GLU_TESS_COORD_TOO_LARGE")
-        point = np.clip(point, -1e150, 1e150)
+    tess.require(2, "gluTessVertex")
+    x, y, z = (float(c) for c in location[:3])
+    if not max(abs(x), abs(y), abs(z)) <= GLU_TESS_MAX_COORD:
+        tess.fail("gluTessVertex: location must be within 1e150 of the origin", "GLU_TESS_COORD_TOO_LARGE")
+        x, y, z = (min(max(c, -GLU_TESS_MAX_COORD), GLU_TESS_MAX_COORD) if c == c else 0.0 for c in (x, y, z))
     assert tess.contours is not None
-    tess.contours[-1].append((point, data))
+    tess.contours[-1].append((np.array([x, y, z]), data))
 
 
 def gluTessEndContour(tess: Tessellator) -> None:
-    if not tess.open:
-        tess.fail("gluTessEndContour", "GLU_TESS_MISSING_BEGIN_CONTOUR")
+    tess.require(2, "gluTessEndContour")
     tess.open = False
 
 
 def gluTessEndPolygon(tess: Tessellator) -> None:
     """Cut the polygon into triangles, or into its boundary, and hand them to the callbacks."""
-    if tess.contours is None:
-        tess.fail("gluTessEndPolygon", "GLU_TESS_MISSING_BEGIN_POLYGON")
-        return
-    contours, tess.contours, tess.open = [c for c in tess.contours if len(c) > 2], None, False
+    tess.require(1, "gluTessEndPolygon")
+    assert tess.contours is not None
+    contours, tess.contours = [c for c in tess.contours if len(c) > 2], None
     if not contours:
         return
-    arrangement = _Arrangement(tess, contours)
-    loops = arrangement.loops()
+    try:
+        plane = _Plane(tess, contours)
+    except _NeedCombineError:
+        sentence = "gluTessEndPolygon: contours cross, so a GLU_TESS_COMBINE callback must make the new vertex"
+        tess.fail(sentence, "GLU_TESS_NEED_COMBINE_CALLBACK")
+        return
+    boundary = _boundary(plane, RULES[tess.rule])
     if tess.boundary_only:
-        for loop in loops:
+        for loop in _joined(boundary, plane.grid):
             tess.call("BEGIN", gl.GL_LINE_LOOP)
             for number in loop:
-                tess.call("VERTEX", arrangement.data[number])
+                tess.call("VERTEX", plane.data[number])
             tess.call("END")
         return
-    _emit(tess, arrangement, loops)
+    _emit(tess, _triangles(plane, boundary), plane, set(boundary))
 
 
 # The interface of GLU 1.1
@@ -181,20 +220,21 @@ def gluEndPolygon(tess: Tessellator) -> None:
 # ---------------------------------------------------------------- the plane
 
 
-def _given(data: Any) -> Any:
-    return data
-
-
-def _newell(contours: list[list[tuple[Float, Any]]]) -> Float:
-    """The normal of the plane that fits the contours: the sum of their areas."""
-    total, largest = np.zeros(3), np.zeros(3)
+def _normal(contours: list[list[tuple[Float, Any]]]) -> Float:
+    """The normal of the plane in which the contours lie, so that they go round it counterclockwise: across the largest
+    triangle on the two points that are farthest apart along an axis."""
+    points = np.array([point for contour in contours for point, _ in contour])
+    axis = int(np.argmax(np.ptp(points, axis=0)))
+    a, b = points[points[:, axis].argmin()], points[points[:, axis].argmax()]
+    normals = np.cross(b - a, points - a)
+    normal = normals[(normals**2).sum(axis=1).argmax()]
+    if not normal.any():
+        return np.array([0.0, 0.0, 1.0])  # they lie on a line
+    area = np.zeros(3)
     for contour in contours:
-        points = np.array([point for point, _ in contour])
-        area = np.cross(points - points[0], np.roll(points, -1, axis=0) - points[0]).sum(axis=0)
-        total += area
-        if area @ area > largest @ largest:
-            largest = area
-    return total if np.abs(total).max() > 1e-9 * np.abs(largest).max() else largest
+        ring = np.array([point for point, _ in contour]) - a
+        area += np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
+    return np.asarray(normal if area @ normal >= 0 else -normal)
 
 
 def _flat(normal: Float, points: Float) -> Float:
@@ -206,299 +246,306 @@ def _flat(normal: Float, points: Float) -> Float:
     return np.stack([u * side, v], axis=1)
 
 
-class _Arrangement:
-    """The contours cut at their crossings: points (n, 2), the data of each, and directed edges (a, b)."""
+class _NeedCombineError(Exception):
+    """Contours cross, and there is no callback that makes the new vertex."""
+
+
+class _Plane:
+    """The contours on a grid, cut where they meet.
+
+    grid: the points; space: where they are in 3D; data: what the program gave with each, or what its combine callback
+    made; edges: (a, b) with a left of b -> how often the contours go from a to b, less how often from b to a.
+    """
 
     def __init__(self, tess: Tessellator, contours: list[list[tuple[Float, Any]]]) -> None:
         self.tess = tess
-        places = np.array([point for contour in contours for point, _ in contour])
-        normal = tess.normal if tess.normal.any() else _newell(contours)
+        self.grid: list[Point] = []
         self.space: list[Float] = []
         self.data: list[Any] = []
-        self.numbers: dict[tuple[float, float], int] = {}
-        self.flat: list[tuple[float, float]] = []
-        flat = _flat(normal, places)
-        self.grain = max(float(np.ptp(flat, axis=0).max()), 1e-300) * 1e-11
-        edges, start = [], 0
+        self.numbers: dict[Point, int] = {}
+        places = np.array([point for contour in contours for point, _ in contour])
+        flat = _flat(tess.normal if tess.normal.any() else _normal(contours), places)
+        size = np.ptp(flat, axis=0)
+        grid = np.rint((flat - flat.min(axis=0)) / np.where(size > 0, size, 1.0) * CELLS).astype(int).tolist()
+        edges: list[Edge] = []
+        start = 0
         for contour in contours:
-            numbers = [
-                self._number(flat[start + k], point, lambda data=data: data) for k, (point, data) in enumerate(contour)
-            ]
+            numbers = [self._given((x, y), *vertex) for (x, y), vertex in zip(grid[start:], contour, strict=False)]
             start += len(contour)
-            edges += [(a, b) for a, b in zip(numbers, [*numbers[1:], numbers[0]], strict=True) if a != b]
-        self.edges = self._cut(edges)
+            edges += pairwise([*numbers, numbers[0]])
+        self.edges = self._net((edge, 1) for edge in edges)
+        for _ in range(MOST_ROUNDS):  # a cut moves to the grid, so an edge may come to meet others
+            cuts = self._cuts(list(self.edges))
+            if not cuts:
+                break
+            self.edges = self._net(self._pieces(cuts))
 
-    def _number(self, place: Any, point: Float, data: Callable[[], Any]) -> int:
-        """The number of a point; points at the same place are one."""
-        key = round(float(place[0]) / self.grain), round(float(place[1]) / self.grain)
-        if key not in self.numbers:
-            self.numbers[key] = len(self.flat)
-            self.flat.append((float(place[0]), float(place[1])))
-            self.space.append(point)
-            self.data.append(data())
-        return self.numbers[key]
+    def _given(self, place: Point, point: Float, data: Any) -> int:
+        """The number of a point of a contour.  Points at the same place are one: the combine callback may mix them."""
+        number = self.numbers.setdefault(place, len(self.grid))
+        if number == len(self.grid):
+            self._add(place, point, data)
+        elif "COMBINE" in self.tess.callbacks:
+            both = [self.data[number], data, None, None]
+            mixed = self.tess.call("COMBINE", point.copy(), both, np.array([0.5, 0.5, 0.0, 0.0], np.float32))
+            self.data[number] = self.data[number] if mixed is None else mixed
+        return number
 
-    def _cut(self, edges: list[tuple[int, int]]) -> list[tuple[int, int]]:
-        """The edges as pieces that meet at their ends only."""
-        cuts: list[dict[int, float]] = [{} for _ in edges]
-        P = np.array(self.flat)
-        A, B = P[[a for a, _ in edges]], P[[b for _, b in edges]]
-        D = B - A
-        low, high = np.minimum(A, B), np.maximum(A, B)
-        for i in range(len(edges)):
-            near = np.flatnonzero(((low[i + 1 :] <= high[i]) & (high[i + 1 :] >= low[i])).all(axis=1)) + i + 1
-            for j in near.tolist():
-                self._cross(edges, cuts, A, D, i, j)
-        pieces = []
-        for (a, b), places in zip(edges, cuts, strict=True):
-            stops = [a, *sorted(places, key=places.__getitem__), b]
-            pieces += [(p, q) for p, q in pairwise(stops) if p != q]
-        return pieces
+    def _add(self, place: Point, point: Float, data: Any) -> None:
+        self.grid.append(place)
+        self.space.append(point)
+        self.data.append(data)
 
-    def _cross(
-        self, edges: list[tuple[int, int]], cuts: list[dict[int, float]], A: Float, D: Float, i: int, j: int
-    ) -> None:
-        """Note where edges i and j meet."""
-        (a, b), (c, d) = edges[i], edges[j]
-        cross = float(D[i][0] * D[j][1] - D[i][1] * D[j][0])
-        scale = float(np.hypot(*D[i]) * np.hypot(*D[j]))
-        for k, ends, other in ((i, (c, d), (a, b)), (j, (a, b), (c, d))):  # an end of one on the other
-            for end in ends:
-                if end not in other:
-                    t = self._along(end, A[k], D[k])
-                    if t is not None:
-                        cuts[k][end] = t
-        if abs(cross) <= 1e-12 * scale or {a, b} & {c, d}:
-            return
-        gap = A[j] - A[i]
-        t = float(gap[0] * D[j][1] - gap[1] * D[j][0]) / cross
-        u = float(gap[0] * D[i][1] - gap[1] * D[i][0]) / cross
-        if 0.0 < t < 1.0 and 0.0 < u < 1.0:
-            place = A[i] + t * D[i]
-            point = self.space[a] + t * (self.space[b] - self.space[a])
-            number = self._number(place, point, lambda: self._combined(point, (a, b, c, d), t, u))
-            if number not in (a, b):
-                cuts[i][number] = t
-            if number not in (c, d):
-                cuts[j][number] = u
+    def _net(self, edges: Iterable[tuple[Edge, int]]) -> dict[Edge, int]:
+        """Edges that lie on each other as one; those that cancel each other are dropped."""
+        net: dict[Edge, int] = {}
+        for (a, b), count in edges:
+            edge, way = ((a, b), count) if self.grid[a] < self.grid[b] else ((b, a), -count)
+            net[edge] = net.get(edge, 0) + way
+        return {(a, b): count for (a, b), count in net.items() if count and a != b}
 
-    def _along(self, number: int, start: Float, direction: Float) -> float | None:
-        """Where on an edge a point lies, in (0, 1); None if it lies beside it."""
-        gap = np.array(self.flat[number]) - start
-        square = float(direction @ direction)
-        t = float(gap @ direction) / square
-        if not 0.0 < t < 1.0:
-            return None
-        aside = abs(float(gap[0] * direction[1] - gap[1] * direction[0])) / square**0.5
-        return t if aside < 4 * self.grain else None
+    def _cuts(self, edges: list[Edge]) -> dict[Edge, set[int]]:
+        """The points at which each edge has to be cut."""
+        cuts: dict[Edge, set[int]] = {}
+        if not edges:
+            return cuts
+        P = np.array(self.grid, np.int64)
+        first, second = _near(P, np.array(edges))
+        (A, B), (C, D) = ((P[ends[:, 0]], P[ends[:, 1]]) for ends in (np.array(edges)[first], np.array(edges)[second]))
+        sides = [_side(C, D, A), _side(C, D, B), _side(A, B, C), _side(A, B, D)]
+        a, b, c, d = (np.sign(side) for side in sides)
+        crossing = (a * b < 0) & (c * d < 0)
+        for k in np.flatnonzero(crossing).tolist():
+            one, other = edges[first[k]], edges[second[k]]
+            t, u = (float(x[k]) / (float(x[k]) - float(y[k])) for x, y in (sides[:2], sides[2:]))
+            number = self._crossing(one, other, t, u)
+            for edge in (one, other):
+                if number not in edge:
+                    cuts.setdefault(edge, set()).add(number)
+        touching = [(a == 0, second, A, C, D, first, 0), (b == 0, second, B, C, D, first, 1)]
+        touching += [(c == 0, first, C, A, B, second, 0), (d == 0, first, D, A, B, second, 1)]
+        for on_line, cut, point, low, high, by, end in touching:
+            on_edge = on_line & _between(point, low, high)
+            for k in np.flatnonzero(on_edge).tolist():
+                cuts.setdefault(edges[cut[k]], set()).add(edges[by[k]][end])
+        return cuts
 
-    def _combined(self, point: Float, ends: tuple[int, int, int, int], t: float, u: float) -> Any:
-        """The data of a new vertex where two edges cross: from the combine callback."""
+    def _crossing(self, one: Edge, other: Edge, t: float, u: float) -> int:
+        """The number of the point where two edges cross, t and u of the way along them."""
+        (x, y), (x2, y2) = self.grid[one[0]], self.grid[one[1]]
+        place = x + round(t * (x2 - x)), y + round(t * (y2 - y))
+        if place in self.numbers:
+            return self.numbers[place]
+        ends = (*one, *other)
+        weights = np.array([(1 - t) / 2, t / 2, (1 - u) / 2, u / 2])
+        point = np.asarray(weights @ np.array([self.space[end] for end in ends]))
         if "COMBINE" not in self.tess.callbacks:
-            self.tess.fail("gluTessEndPolygon", "GLU_TESS_NEED_COMBINE_CALLBACK")
-            return None
-        weights = [(1 - t) / 2, t / 2, (1 - u) / 2, u / 2]
-        return self.tess.call("COMBINE", tuple(point.tolist()), [self.data[end] for end in ends], weights)
+            raise _NeedCombineError
+        given = [self.data[end] for end in ends]
+        data = self.tess.call("COMBINE", point.copy(), given, weights.astype(np.float32))
+        self.numbers[place] = len(self.grid)
+        self._add(place, point, data)
+        return self.numbers[place]
 
-    def loops(self) -> list[list[int]]:
-        """The boundary as loops of point numbers with the inside on their left."""
-        inside = RULES[self.tess.rule]
-        net: dict[tuple[int, int], int] = {}  # pieces that lie on each other, with how often they go each way
-        for a, b in self.edges:
-            key, step = ((a, b), 1) if a < b else ((b, a), -1)
-            net[key] = net.get(key, 0) + step
-        pieces = list(net)
-        windings = self._windings(pieces, net)
-        boundary = []
-        for (a, b), right in zip(pieces, windings, strict=True):
-            left = right + net[a, b]
-            if inside(left) != inside(right):
-                boundary.append((a, b) if inside(left) else (b, a))
-        return _joined(boundary, self.flat)
+    def _pieces(self, cuts: dict[Edge, set[int]]) -> Iterator[tuple[Edge, int]]:
+        """The edges cut, with their counts."""
+        for (a, b), count in self.edges.items():
+            (x, y), (x2, y2) = self.grid[a], self.grid[b]
 
-    def _windings(self, pieces: list[tuple[int, int]], net: dict[tuple[int, int], int]) -> list[int]:
-        """The winding number just right of each piece, by a ray from its middle to the right side."""
-        P = np.array(self.flat)
-        A, B = P[[a for a, _ in pieces]], P[[b for _, b in pieces]]
-        steps = np.array([net[piece] for piece in pieces])
-        D = B - A
-        result = []
-        for k in range(len(pieces)):
-            middle, along = (A[k] + B[k]) / 2, D[k] / np.hypot(*D[k])
-            ray = np.array([along[1], -along[0]])  # to the right
-            s, e = (A - middle) @ along, (B - middle) @ along  # where each piece begins and ends across the ray
-            crossing = (s <= 0) != (e <= 0)
-            crossing[k] = False
-            with np.errstate(all="ignore"):
-                t = s / (s - e)
-                far = ((A - middle) @ ray) * (1 - t) + ((B - middle) @ ray) * t
-            crossing &= far > 0
-            # going along the piece's own direction from right to left of the ray counts one way
-            result.append(int((steps[crossing] * np.where(e[crossing] > s[crossing], 1, -1)).sum()))
-        return result
+            def along(n: int, dx: int = x2 - x, dy: int = y2 - y) -> int:
+                return self.grid[n][0] * dx + self.grid[n][1] * dy
+
+            for piece in pairwise([a, *sorted(cuts.get((a, b), ()), key=along), b]):
+                yield piece, count
 
 
-def _joined(boundary: list[tuple[int, int]], flat: list[tuple[float, float]]) -> list[list[int]]:
+def _side(a: Whole, b: Whole, p: Whole) -> Whole:
+    """Positive where p is left of the line from a to b, 0 on it: twice the area of the triangle."""
+    return (b[:, 0] - a[:, 0]) * (p[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (p[:, 0] - a[:, 0])
+
+
+def _between(p: Whole, a: Whole, b: Whole) -> NDArray[np.bool_]:
+    """Whether p, on the line from a to b, lies strictly between them."""
+    inside = ((p >= np.minimum(a, b)) & (p <= np.maximum(a, b))).all(axis=1)
+    return np.asarray(inside & (p != a).any(axis=1) & (p != b).any(axis=1))
+
+
+def _near(P: Whole, edges: Whole) -> tuple[Whole, Whole]:
+    """Pairs of edges whose bounding boxes meet."""
+    A, B = P[edges[:, 0]], P[edges[:, 1]]
+    low, high = np.minimum(A, B), np.maximum(A, B)
+    firsts, seconds = [], []
+    for start in range(0, len(edges), 256):
+        rows = slice(start, start + 256)
+        meet = np.ones((len(low[rows]), len(edges) - start), bool)
+        for axis in range(2):
+            meet &= low[rows, None, axis] <= high[None, start:, axis]
+            meet &= high[rows, None, axis] >= low[None, start:, axis]
+        i, j = np.nonzero(meet)
+        firsts.append(i[i < j] + start)
+        seconds.append(j[i < j] + start)
+    return np.concatenate(firsts), np.concatenate(seconds)
+
+
+# ---------------------------------------------------------------- the sweep
+
+
+def _left(a: Point, b: Point, p: Point) -> int:
+    """Positive if p is left of the line from a to b, 0 on it."""
+    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+
+
+def _sweep(grid: list[Point], edges: Iterable[Edge]) -> Iterator[tuple[int, int, int, list[Edge]]]:
+    """A line that goes over the points from left to right and knows the edges it meets, from bottom to top.
+
+    Yields (point, place, count, begun) for each point: from ``place`` on ``count`` edges end, the edges ``begun`` take
+    their place.
+    """
+    begins: dict[int, list[Edge]] = {}
+    for edge in edges:
+        begins.setdefault(edge[0], []).append(edge)
+        begins.setdefault(edge[1], [])
+    met: list[Edge] = []
+    for number in sorted(begins, key=grid.__getitem__):
+        here = grid[number]
+        place = bisect_left(met, True, key=lambda edge: _left(grid[edge[0]], grid[edge[1]], here) <= 0)
+        count = 0
+        while place + count < len(met) and met[place + count][1] == number:
+            count += 1
+        begun = _upwards(grid, begins[number])
+        met[place : place + count] = begun
+        yield number, place, count, begun
+
+
+def _upwards(grid: list[Point], edges: list[Edge]) -> list[Edge]:
+    """Edges to the right of a common point from the lowest slope to the highest."""
+
+    def order(e: Edge, f: Edge) -> int:
+        return -_left(grid[e[0]], grid[e[1]], grid[f[1]])
+
+    return sorted(edges, key=cmp_to_key(order))
+
+
+def _boundary(plane: _Plane, inside: Callable[[int], bool]) -> list[Edge]:
+    """The edges between inside and outside, directed so that the inside is on their left."""
+    boundary = []
+    windings = [0]  # below, between and above the edges that the line meets
+    for _, place, count, begun in _sweep(plane.grid, plane.edges):
+        winding = windings[place]
+        new = [winding]
+        for a, b in begun:
+            above = winding + plane.edges[a, b]
+            if inside(above) != inside(winding):
+                boundary.append((a, b) if inside(above) else (b, a))
+            winding = above
+            new.append(winding)
+        windings[place : place + count + 1] = new
+    return boundary
+
+
+class _Cutter:
+    """Cuts the inside into triangles while the line goes over it.
+
+    Each part of the line inside has a chain: the points from its lower edge to its upper edge that still need triangles
+    to their right.  Seen from the right a chain bulges, so that a new point sees a row of its points.
+    """
+
+    def __init__(self, grid: list[Point]) -> None:
+        self.grid = grid
+        self.triangles: list[tuple[int, int, int]] = []
+
+    def _cut(self, a: int, b: int, new: int) -> bool:
+        """The triangle of the points a and b of a chain, a below b, and a new one, if it has an area."""
+        if _left(self.grid[a], self.grid[b], self.grid[new]) >= 0:
+            return False
+        self.triangles.append((a, new, b))
+        return True
+
+    def above(self, chain: list[int], new: int) -> list[int]:
+        """The chain below its upper edge, which ends at the new point."""
+        while len(chain) > 1 and self._cut(chain[-2], chain[-1], new):
+            chain.pop()
+        return [*chain, new]
+
+    def below(self, chain: list[int], new: int) -> list[int]:
+        """The chain above its lower edge, which ends at the new point."""
+        while len(chain) > 1 and self._cut(chain[0], chain[1], new):
+            del chain[0]
+        return [new, *chain]
+
+    def close(self, chain: list[int], new: int) -> None:
+        """Both edges end at the new point."""
+        for a, b in pairwise(chain):
+            self._cut(a, b, new)
+
+    def split(self, chain: list[int], new: int) -> tuple[list[int], list[int]]:
+        """The new point lies between the edges: the chain below it and the chain above it."""
+        k = max(range(len(chain)), key=lambda k: self.grid[chain[k]])  # nothing hides the rightmost point
+        return self.above(chain[: k + 1], new), self.below(chain[k:], new)
+
+
+def _triangles(plane: _Plane, boundary: list[Edge]) -> list[tuple[int, int, int]]:
+    """The inside as counterclockwise triangles of point numbers."""
+    grid = plane.grid
+    cutter = _Cutter(grid)
+    chains: list[list[int] | None] = [None]  # None: outside
+    edges = [(a, b) if grid[a] < grid[b] else (b, a) for a, b in boundary]
+    for new, place, count, begun in _sweep(grid, edges):
+        first, last = chains[place], chains[place + count]
+        lower = upper = None
+        if count == 0 and first is not None:
+            lower, upper = cutter.split(first, new)
+        elif count:
+            lower = None if first is None else cutter.above(first, new)
+            upper = None if last is None else cutter.below(last, new)
+        for chain in chains[place + 1 : place + count]:
+            if chain is not None:
+                cutter.close(chain, new)
+        if begun:
+            inner = [[new] if (first is None) == (k % 2 == 0) else None for k in range(len(begun) - 1)]
+            chains[place : place + count + 1] = [lower, *inner, upper]
+        else:
+            chains[place : place + count + 1] = [None if lower is None or upper is None else lower + upper[1:]]
+    return cutter.triangles
+
+
+def _joined(boundary: list[Edge], grid: list[Point]) -> list[list[int]]:
     """Directed edges as loops; where several go on, the one that turns most to the left, so that loops stay simple."""
     onward: dict[int, list[int]] = {}
     for a, b in boundary:
         onward.setdefault(a, []).append(b)
     loops = []
     while onward:
-        first = next(iter(onward))
-        loop, before = [first], None
+        loop = [next(iter(onward))]
         while loop[-1] in onward:
-            here = loop[-1]
+            here, before = loop[-1], loop[-2] if len(loop) > 1 else None
             choices = onward[here]
-            if before is None or len(choices) == 1:
-                following = choices[0]
-            else:
-                origin, came = np.array(flat[here]), np.array(flat[before])
-                back = came - origin
-
-                def turn(n: int, origin: Float = origin, back: Float = back) -> float:
-                    out = np.array(flat[n]) - origin
-                    angle = np.arctan2(back[1], back[0]) - np.arctan2(out[1], out[0])
-                    return float(angle % (2 * np.pi))
-
-                following = min(choices, key=turn)
+            following = choices[0] if before is None else min(choices, key=partial(_turn, grid, before, here))
             choices.remove(following)
             if not choices:
                 del onward[here]
-            before = here
-            if following == first:
-                break
             loop.append(following)
-        if len(loop) > 2:
-            loops.append(loop)
+        loops.append(loop[:-1])
     return loops
 
 
-def _area(loop: list[int], P: Float) -> float:
-    x, y = P[loop].T
-    return float((x * np.roll(y, -1) - np.roll(x, -1) * y).sum()) / 2
+def _turn(grid: list[Point], before: int, here: int, after: int) -> float:
+    """The angle at ``here`` on the left of the way from ``before`` to ``after``."""
+    (x, y), (x0, y0), (x1, y1) = grid[here], grid[before], grid[after]
+    return (math.atan2(y0 - y, x0 - x) - math.atan2(y1 - y, x1 - x)) % math.tau
 
 
-def _emit(tess: Tessellator, arrangement: _Arrangement, loops: list[list[int]]) -> None:
+def _emit(tess: Tessellator, triangles: list[tuple[int, int, int]], plane: _Plane, boundary: set[Edge]) -> None:
     """Triangles to the callbacks, as one GL_TRIANGLES."""
-    P = np.array(arrangement.flat)
-    edges = {(a, b) for loop in loops for a, b in zip(loop, [*loop[1:], loop[0]], strict=True)}
-    triangles = [t for ring in _with_holes(loops, P) for t in _ears(ring, P)]
     if not triangles:
         return
     flags = "EDGE_FLAG" in tess.callbacks
     tess.call("BEGIN", gl.GL_TRIANGLES)
     last: bool | None = None
     for a, b, c in triangles:
-        for here, following in ((a, b), (b, c), (c, a)):
-            on_boundary = (here, following) in edges
-            if flags and on_boundary != last:
-                tess.call("EDGE_FLAG", on_boundary)
-                last = on_boundary
-            tess.call("VERTEX", arrangement.data[here])
+        for edge in ((a, b), (b, c), (c, a)):
+            if flags and (edge in boundary) != last:
+                last = edge in boundary
+                tess.call("EDGE_FLAG", last)
+            tess.call("VERTEX", plane.data[edge[0]])
     tess.call("END")
-
-
-def _with_holes(loops: list[list[int]], P: Float) -> list[list[int]]:
-    """Each outer loop as one ring, with its holes joined to it by bridges."""
-    outer = [loop for loop in loops if _area(loop, P) > 0]
-    holes = sorted((loop for loop in loops if _area(loop, P) <= 0), key=lambda loop: -P[loop, 0].max())
-    owners: list[list[int]] = [list(loop) for loop in outer]
-    areas = [_area(loop, P) for loop in outer]
-    for hole in holes:
-        at = hole[int(np.argmax(P[hole, 0]))]
-        around = [k for k, loop in enumerate(outer) if at not in loop and _contains(P[loop], P[at])]
-        if not around:
-            around = [k for k, loop in enumerate(outer) if at in loop]
-        if around:
-            k = min(around, key=lambda k: areas[k])
-            owners[k] = _bridged(owners[k], hole, P)
-    return owners
-
-
-def _contains(ring: Float, point: Float) -> bool:
-    (x, y), (a, b) = ring.T, point
-    x2, y2 = np.roll(x, -1), np.roll(y, -1)
-    crossing = (y > b) != (y2 > b)
-    with np.errstate(all="ignore"):
-        where = x + (b - y) * (x2 - x) / (y2 - y)
-    return bool((crossing & (where > a)).sum() % 2)
-
-
-def _bridged(ring: list[int], hole: list[int], P: Float) -> list[int]:
-    """Ring and hole as one ring: a bridge from the hole's rightmost point to a point of the ring that it sees."""
-    k = int(np.argmax(P[hole, 0]))
-    M = P[hole[k]]
-    starts, ends = P[ring], P[[*ring[1:], ring[0]]]
-    order = np.argsort(((starts - M) ** 2).sum(axis=1), kind="stable")
-    hole_starts, hole_ends = P[hole], P[[*hole[1:], hole[0]]]
-    blockers_a = np.concatenate([starts, hole_starts])
-    blockers_b = np.concatenate([ends, hole_ends])
-    for n in order.tolist():
-        V = P[ring[n]]
-        if _opens(ring, n, M, P) and not _blocked(M, V, blockers_a, blockers_b):
-            return [*ring[: n + 1], *hole[k:], *hole[: k + 1], *ring[n:]]
-    n = int(order[0])
-    return [*ring[: n + 1], *hole[k:], *hole[: k + 1], *ring[n:]]
-
-
-def _side(a: Float, b: Float, c: Float) -> float:
-    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
-
-
-def _opens(ring: list[int], n: int, M: Float, P: Float) -> bool:
-    """Whether M lies in the inner angle of corner n of the ring."""
-    a, v, b = P[ring[n - 1]], P[ring[n]], P[ring[(n + 1) % len(ring)]]
-    if _side(a, v, b) >= 0:
-        return _side(a, v, M) >= 0 and _side(v, b, M) >= 0
-    return _side(a, v, M) >= 0 or _side(v, b, M) >= 0
-
-
-def _blocked(M: Float, V: Float, A: Float, B: Float) -> bool:
-    """Whether a segment properly crosses the line of sight from M to V."""
-    d = V - M
-
-    def side(points: Float) -> Float:
-        return np.asarray(d[0] * (points[:, 1] - M[1]) - d[1] * (points[:, 0] - M[0]))
-
-    e = B - A
-    m = e[:, 0] * (M[1] - A[:, 1]) - e[:, 1] * (M[0] - A[:, 0])
-    v = e[:, 0] * (V[1] - A[:, 1]) - e[:, 1] * (V[0] - A[:, 0])
-    return bool(((side(A) * side(B) < 0) & (m * v < 0)).any())
-
-
-def _ears(ring: list[int], P: Float) -> list[tuple[int, int, int]]:
-    """A simple ring, counterclockwise, as triangles."""
-    left, triangles = list(ring), []
-    misses = 0
-    k = 0
-    while len(left) > 3 and misses < len(left):
-        k %= len(left)
-        a, b, c = left[k - 1], left[k], left[(k + 1) % len(left)]
-        if _is_ear(a, b, c, left, P):
-            triangles.append((a, b, c))
-            del left[k]
-            misses = 0
-            k = max(k - 1, 0)
-        else:
-            misses += 1
-            k += 1
-    if len(left) == 3:
-        triangles.append((left[0], left[1], left[2]))
-    return [t for t in triangles if len(set(t)) == 3]
-
-
-def _is_ear(a: int, b: int, c: int, left: list[int], P: Float) -> bool:
-    A, B, C = P[a], P[b], P[c]
-    area = _side(A, B, C)
-    if area < 0:
-        return False
-    if area == 0.0:
-        return True  # a flat corner can go
-    others = P[[n for n in left if n not in (a, b, c)]]
-    if not len(others):
-        return True
-    inside = np.ones(len(others), bool)
-    for p, q in ((A, B), (B, C), (C, A)):
-        inside &= (q[0] - p[0]) * (others[:, 1] - p[1]) - (q[1] - p[1]) * (others[:, 0] - p[0]) >= 0
-    return not inside.any()

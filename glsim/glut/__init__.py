@@ -6,13 +6,7 @@ Windows are pictures: ``glsim run`` takes them after each step of a main loop wh
 
 from __future__ import annotations
 
-from glsim.glut import api, constants
-try:
-    from glsim.glut import fonts
-except ImportError: fonts=api
-try:
-    from glsim.glut import shapes
-except ImportError: shapes=api
+from glsim.glut import api, constants, fonts, shapes
 
 HAVE_FREEGLUT = True
 fgDeinitialize = None

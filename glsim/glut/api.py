@@ -62,14 +62,12 @@ def glutInit(*arguments: Any) -> list[Any]:
 
 def glutInitDisplayMode(displayMode: int) -> None:
     if displayMode & NAMES["GLUT_INDEX"]:
-        raise ValueError(
-            "glutInitDisplayMode: colour-index mode (GLUT_INDEX) is not emulated; use GLUT_RGB, which every program can"
-        )
+        raise ValueError("glutInitDisplayMode: colour-index mode (GLUT_INDEX) is not emulated; use GLUT_RGB")
     settings.mode = int(displayMode)
 
 
 WORDS = {
-    "double": "GLUT_DOUBLE", "depth": "GLUT_DEPTH", "stencil": "GLUT_STENCIL", "acc": "GLUT_ACCUM", "acca": "GLUT_ACCUM",
+    "double": "GLUT_DOUBLE", "depth": "GLUT_DEPTH", "stencil": "GLUT_STENCIL", "acc": "GLUT_ACCUM",
     "alpha": "GLUT_ALPHA", "samples": "GLUT_MULTISAMPLE", "stereo": "GLUT_STEREO",
 }  # fmt: skip
 
@@ -185,7 +183,10 @@ def glutLeaveFullScreen() -> None:
 
 
 def glutFullScreenToggle() -> None:
-    (glutLeaveFullScreen if _window("glutFullScreenToggle").ident in settings.full_screen_before else glutFullScreen)()
+    if _window("glutFullScreenToggle").ident in settings.full_screen_before:
+        glutLeaveFullScreen()
+    else:
+        glutFullScreen()
 
 
 def glutShowWindow() -> None:
@@ -267,11 +268,12 @@ def glutExit() -> None:
 
 # ---------------------------------------------------------------- callbacks
 
-PER_WINDOW = (
+_PER_WINDOW = (
     "Display Reshape Keyboard KeyboardUp Special SpecialUp Mouse Motion PassiveMotion Visibility WindowStatus Entry "
     "MouseWheel Close WMClose OverlayDisplay Joystick SpaceballMotion SpaceballRotate SpaceballButton ButtonBox Dials "
     "TabletMotion TabletButton Position MultiEntry MultiButton MultiMotion MultiPassive InitContext AppStatus"
-).split()
+)
+PER_WINDOW = _PER_WINDOW.split()
 
 
 def _registrar(kind: str) -> Callable[..., None]:
@@ -424,7 +426,9 @@ def glutGet(state: int) -> int:
         "WINDOW_NUM_SAMPLES": samples, "WINDOW_CURSOR": int(window.cursor),
         "FULL_SCREEN": int(window.ident in settings.full_screen_before),
     }  # fmt: skip
-    return next((value for name, value in values.items() if NAMES["GLUT_" + name] == state), settings.options.get(state, 0))
+    return next(
+        (value for name, value in values.items() if NAMES["GLUT_" + name] == state), settings.options.get(state, 0)
+    )
 
 
 def glutDeviceGet(type: int) -> int:
@@ -469,7 +473,8 @@ def glutGameModeGet(mode: int) -> int:
 def glutExtensionSupported(extension: Any) -> int:
     from glsim import gl
 
-    return int(_text(extension).encode() in gl.glGetString(gl.GL_EXTENSIONS).split())
+    there: Any = gl.glGetString(gl.GL_EXTENSIONS)
+    return int(_text(extension).encode() in there.split())
 
 
 def glutGetProcAddress(name: Any) -> None:

@@ -68,8 +68,8 @@ class Loop:
     """Windows, timers, menus and the order of things.
 
     events: one for each step from the first on, as text.  steps: how many are made; None for no end.  fixed_size: the
-    size of every window, whatever the program asks.  on_open: called with each new window; on_step: after each step.  on_error: called with where and
-    the exception that a callback raised; without it the exception goes on.
+    size of every window, whatever the program asks.  on_open: called with each new window; on_step: after each step.
+    on_error: called with where and the exception that a callback raised; without it the exception goes on.
     """
 
     def __init__(self) -> None:

@@ -85,7 +85,7 @@ class Offscreen:
         self.ctx = moderngl.create_context(context=self._loader, require=330)
         self.samples = self._samples(samples)
         self._raw = RawGL(self._loader)
-        self._attachments: list[tuple[moderngl.Framebuffer, moderngl.Renderbuffer, ctypes.c_uint]] = []
+        self._depths: list[ctypes.c_uint] = []  # names of the renderbuffers of depth and stencil
         self._target = self._framebuffer(self.samples)
         self._resolved = self._framebuffer(0) if self.samples else self._target
         self._renderer = Renderer(self.ctx, self._raw, (self.width, self.height))
@@ -107,15 +107,14 @@ class Offscreen:
     def _framebuffer(self, samples: int) -> moderngl.Framebuffer:
         """Colour of 8 bits each, depth of 24 and stencil of 8 bits."""
         size, raw = (self.width, self.height), self._raw
-        color = self.ctx.renderbuffer(size, 4, samples=samples)
-        framebuffer = self.ctx.framebuffer(color)
+        framebuffer = self.ctx.framebuffer(self.ctx.renderbuffer(size, 4, samples=samples))
         framebuffer.use()
         name = ctypes.c_uint()
         raw.glGenRenderbuffers(1, ctypes.byref(name))
         raw.glBindRenderbuffer(GL_RENDERBUFFER, name.value)
         raw.glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH24_STENCIL8, *size)
         raw.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, name.value)
-        self._attachments.append((framebuffer, color, name))
+        self._depths.append(name)
         self._clear(framebuffer)
         return framebuffer
 
@@ -178,6 +177,10 @@ class Offscreen:
         with self.ctx:
             self._target.use()
             self._renderer.execute(packets, self._reread)
+
+    def detach(self) -> None:
+        """Let another library's context be current in this thread, until something is drawn here again."""
+        self._loader.release_current()
 
     def finish(self) -> None:
         with self.ctx:
@@ -260,11 +263,9 @@ class Offscreen:
         self._check()
         self.machine.flush()
         with self.ctx:
-            for framebuffer, color, depth in self._attachments:
-                framebuffer.release()
-                color.release()
+            for depth in self._depths:  # moderngl's objects go when they are replaced
                 self._raw.glDeleteRenderbuffers(1, ctypes.byref(depth))
-            self._attachments.clear()
+            self._depths.clear()
             self.width, self.height = int(width), int(height)
             self._target = self._framebuffer(self.samples)
             self._resolved = self._framebuffer(0) if self.samples else self._target

@@ -137,7 +137,7 @@ def _starts(draw: Draw, pairs: NDArray[np.uint32]) -> Float:
     length = np.abs(ends[:, 1] - ends[:, 0]).max(axis=1)
     begin = np.zeros(len(length))
     if draw.mode in (GL_LINE_STRIP, GL_LINE_LOOP):
-        begin[1:] = np.cumsum(np.floor(length))[:-1]  # fragments are counted, not lengths
+        begin[1:] = np.cumsum(np.floor(length + 1e-3))[:-1]  # fragments are counted, not lengths
     return np.stack([begin, begin + length], axis=1).astype(np.float32)
 
 
@@ -186,9 +186,11 @@ def _face(draw: Draw, rings: NDArray[np.uint32], provoking: NDArray[np.uint32], 
     """Polygons of one facing as filled areas, edges or points."""
     state = draw.state._replace(polygon=draw.state.polygon._replace(front_mode=GL_FILL, back_mode=GL_FILL, cull=False))
     if mode == GL_FILL:
-        size = rings.shape[1]
-        kind = {3: GL_TRIANGLES, 4: GL_QUADS}.get(size, GL_POLYGON)
-        return _part(draw, kind, rings.ravel(), None, state, True)
+        if draw.mode == GL_POLYGON:
+            return _part(draw, GL_POLYGON, rings.ravel(), None, state, True)
+        if rings.shape[1] == 4:  # cut as Mesa does where some polygons of a Draw are not filled
+            rings = rings[:, [0, 1, 3, 1, 2, 3]]
+        return _part(draw, GL_TRIANGLES, rings.ravel(), None, state, True)
     flags = np.ones(rings.shape, bool)
     if draw.mode in (GL_TRIANGLES, GL_QUADS, GL_POLYGON) and draw.block.varies("edge_flag"):
         flags = draw.block.column("edge_flag")[rings, 0] != 0.0

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from importlib import import_module
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
 from types import ModuleType
@@ -33,7 +34,7 @@ class _Finder(MetaPathFinder, Loader):
     def find_spec(
         self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        if name == "OpenGL" or name.startswith("OpenGL."):
+        if name in CONTENT or name.startswith(EXTENSIONS):
             return ModuleSpec(name, self, is_package=True)
         return None
 
@@ -42,66 +43,34 @@ class _Finder(MetaPathFinder, Loader):
 
     def exec_module(self, module: ModuleType) -> None:
         module.__file__ = f"<glsim for {module.__name__}>"
-        content = _content(module.__name__)
+        known = CONTENT.get(module.__name__)
+        content = known() if known is not None else _extension(module.__name__)
         names = content.get("__all__")
         for name, value in content.items():
             public = name.startswith(("gl", "glu", "glut")) and callable(value) and not isinstance(value, type)
             module.__dict__[name] = self.wrap(name, value) if public else value
         if names is not None:
             module.__dict__["__all__"] = list(names)
-        if module.__name__.startswith("OpenGL.GL."):
-            module.__dict__["__getattr__"] = _extension(module.__name__)
-            module.__dict__.setdefault("__all__", [])
-
-
-def _content(name: str) -> dict[str, Any]:
-    if name == "OpenGL":
-        return {"__version__": "3.1.10", "version": "3.1.10", "ERROR_CHECKING": True, "ERROR_LOGGING": False}
-    if name in ("OpenGL.GL", "OpenGL.GLU", "OpenGL.GLUT"):
-        return _library(name[7:])
-    if name == "OpenGL.error":
-        return _errors()
-    if name == "OpenGL.constants":
-        content = _library("GL")
-        return {key: value for key, value in content.items() if key.startswith("GL")}
-    if name == "OpenGL.arrays.vbo":
-        return {"VBO": VBO}
-    if name == "OpenGL.arrays":
-        return {"vbo": _submodule("OpenGL.arrays.vbo"), **{t: _Array(d) for t, d in ARRAYS.items()}}
-    if name == "OpenGL.platform":
-        return {"PLATFORM": None, "GetCurrentContext": lambda: 1}
-    if name == "OpenGL.GL.shaders":
-        return dict.fromkeys(("compileShader", "compileProgram", "glCreateShader", "glUseProgram"), _no_shaders)
-    return {}
-
-
-def _submodule(name: str) -> ModuleType:
-    import importlib
-
-    return importlib.import_module(name)
 
 
 def _library(which: str) -> dict[str, Any]:
-    if which == "GL":
-        import glsim.gl as module
-    elif which == "GLU":
-        import glsim.glu as module  # type: ignore[no-redef]
-    else:
-        import glsim.glut as module  # type: ignore[no-redef]
+    module: Any = import_module(f"glsim.{which.lower()}")
     content = {name: getattr(module, name) for name in module.__all__}
     content["__all__"] = list(module.__all__)
-    if which != "GL":  # PyOpenGL's GLU gives GLUError and the like
+    if which != "GL":
+        if which == "GLUT":
+            content["as_8_bit"] = _bytes()["as_8_bit"]
+            content["__all__"] += ["as_8_bit"]
         return content
     content.update(_errors())
     content["__all__"] += ["GLerror", "arrays"]
-    content["arrays"] = _submodule("OpenGL.arrays")
+    content["arrays"] = import_module("OpenGL.arrays")
     return content
 
 
 def _errors() -> dict[str, Any]:
     from glsim.glu.errors import GLUError
-    from glsim.gl import GLError
-    from glsim.machine.errors import NoContextError
+    from glsim.machine.errors import GLError, NoContextError
 
     return {
         "GLError": GLError, "GLerror": GLError, "GLUError": GLUError, "GLUerror": GLUError, "GLUTError": RuntimeError,
@@ -114,24 +83,24 @@ def _no_shaders(*arguments: Any) -> Any:
     raise RuntimeError("GLSL programs are OpenGL 2; glsim emulates the fixed function of OpenGL 1.5")
 
 
-def _extension(module: str) -> Callable[[str], Any]:
-    """Names of an extension: glActiveTextureARB is glActiveTexture; glInitMultitextureARB() says whether it is there."""
+def _extension(module: str) -> dict[str, Any]:
+    """Names of an extension such as OpenGL.GL.ARB.multitexture: glActiveTextureARB is glActiveTexture, GL_TEXTURE0_ARB
+    GL_TEXTURE0; glInitMultitextureARB() says whether it is there."""
+    gl: Any = import_module("glsim.gl")
+    _, _, vendor, *rest = module.split(".")
+    extension = rest[0] if rest else ""
+    content = {
+        (f"{name}_{vendor}" if name.startswith("GL_") else f"{name}{vendor}"): getattr(gl, name)
+        for name in gl.__all__
+        if name.startswith("GL_") or (name.startswith("gl") and name[2].isupper())
+    }
+    words = "".join(word[:1].upper() + word[1:] for word in extension.split("_"))
+    content[f"glInit{words}{vendor}"] = lambda: extension in THERE
+    content["__all__"] = list(content)
+    return content
 
-    def lookup(name: str) -> Any:
-        from glsim import gl
 
-        for suffix in SUFFIXES:
-            if name.endswith(suffix) and hasattr(gl, name.removesuffix(suffix)):
-                return getattr(gl, name.removesuffix(suffix))
-        if hasattr(gl, name):
-            return getattr(gl, name)
-        if name.startswith("glInit"):
-            return lambda: module.rpartition(".")[2] in THERE
-        raise AttributeError(f"{module} has no {name} here: glsim emulates OpenGL 1.5")
-
-    return lookup
-
-
+EXTENSIONS = tuple(f"OpenGL.GL.{vendor}" for vendor in SUFFIXES)
 THERE = {
     "multitexture", "texture_env_combine", "texture_env_add", "texture_env_crossbar", "texture_env_dot3",
     "texture_cube_map", "texture_border_clamp", "depth_texture", "shadow", "transpose_matrix", "window_pos",
@@ -172,7 +141,9 @@ class _Array:
 class VBO:
     """OpenGL.arrays.vbo.VBO: an array in a buffer object."""
 
-    def __init__(self, data: Any, usage: Any = "GL_DYNAMIC_DRAW", target: Any = "GL_ARRAY_BUFFER", size: Any = None) -> None:
+    def __init__(
+        self, data: Any, usage: Any = "GL_DYNAMIC_DRAW", target: Any = "GL_ARRAY_BUFFER", size: Any = None
+    ) -> None:
         from glsim import gl
 
         self.data, self.gl = np.asarray(data), gl
@@ -216,3 +187,47 @@ class VBO:
     @property
     def value(self) -> int:  # where glVertexPointer(..., vbo) begins
         return 0
+
+
+# ---------------------------------------------------------------- what each module has
+
+
+def _arrays() -> dict[str, Any]:
+    return {"vbo": import_module("OpenGL.arrays.vbo"), **{name: _Array(dtype) for name, dtype in ARRAYS.items()}}
+
+
+def _bytes() -> dict[str, Any]:
+    def as_8_bit(text: Any) -> bytes:
+        return text if isinstance(text, bytes) else str(text).encode("latin-1")
+
+    return {
+        "as_8_bit": as_8_bit, "bytes": bytes, "unicode": str, "integer_types": (int,), "as_str": str, "long": int,
+        "maxsize": sys.maxsize, "STR_IS_BYTES": False, "STR_IS_UNICODE": True,
+    }  # fmt: skip
+
+
+CONTENT: dict[str, Callable[[], dict[str, Any]]] = {
+    "OpenGL": lambda: {
+        "__version__": "3.1.10", "version": "3.1.10", "ERROR_CHECKING": True, "ERROR_LOGGING": False,
+        "ERROR_ON_COPY": False, "FULL_LOGGING": False, "FORWARD_COMPATIBLE_ONLY": False,
+    },
+    "OpenGL.GL": lambda: _library("GL"),
+    "OpenGL.GLU": lambda: _library("GLU"),
+    "OpenGL.GLUT": lambda: _library("GLUT"),
+    "OpenGL.GLUT.freeglut": lambda: _library("GLUT"),
+    "OpenGL.GLUT.fonts": lambda: _library("GLUT"),
+    "OpenGL.GLUT.special": lambda: _library("GLUT"),
+    "OpenGL.error": lambda: _errors(),
+    "OpenGL.constants": lambda: {k: v for k, v in _library("GL").items() if k.startswith("GL")},
+    "OpenGL.arrays": _arrays,
+    "OpenGL.arrays.vbo": lambda: {"VBO": VBO},
+    "OpenGL.arrays.numpymodule": dict,
+    "OpenGL.platform": lambda: {"PLATFORM": None, "GetCurrentContext": lambda: 1},
+    "OpenGL.GL.shaders": lambda: dict.fromkeys(("compileShader", "compileProgram", "ShaderProgram"), _no_shaders),
+    "OpenGL.GL.VERSION": dict,
+    "OpenGL._bytes": _bytes,
+    "OpenGL.images": dict,
+    "OpenGL.plugins": dict,
+}  # fmt: skip
+for _version in ("GL_1_0", "GL_1_1", "GL_1_2", "GL_1_3", "GL_1_4", "GL_1_5"):
+    CONTENT[f"OpenGL.GL.VERSION.{_version}"] = CONTENT["OpenGL.GL"]

@@ -21,6 +21,7 @@ import numpy as np
 
 from glsim.files import write_atomically
 from glsim.glut.loop import FinishedError, Loop, StepClock, loop
+from glsim.glut.screen import Screen, open_windows
 from glsim.glut.window import Window
 from glsim.machine.frame import Draw
 from glsim.study import alias
@@ -67,11 +68,13 @@ class Player:
 
     def __init__(self, plan: Plan) -> None:
         self.plan, self.record = plan, Record()
+        self.screen: Screen | None = None
         self.script = str(Path(plan.script).resolve())
 
     def play(self) -> Record:
         """Run the program to its end or to the last step."""
         plan = self.plan
+        self.screen = open_windows(loop) if plan.window else None
         if not plan.real_time:
             clock = StepClock()
             loop.clock = clock
@@ -79,7 +82,7 @@ class Player:
             random.seed(0)
             np.random.seed(0)
         loop.events, loop.fixed_size = plan.events, plan.size
-        loop.steps = None if plan.window else plan.frames
+        loop.steps = None if plan.window and plan.frames == 1 else plan.frames
         loop.on_open, loop.on_step, loop.on_error = self._opened, self._after_step, self._failed
         alias.install(self._counted if plan.count else None)
         try:
@@ -155,6 +158,8 @@ class Player:
                 name = f"frame_{played.step - 1:03d}{suffix}.png"
                 self._save(window.shown, Path(self.plan.out) / name)
                 self.record.pictures.append(name)
+        if self.screen is not None:
+            self.screen.after_step(played)
         self.record.frames = played.step
         self.record.notes += played.notes
         played.notes = []
@@ -220,7 +225,7 @@ def freeze_time(clock: StepClock) -> None:
     time.time = now
     time.time_ns = lambda: int(now() * 1e9)
     time.perf_counter = time.monotonic = time.process_time = seconds
-    time.sleep = lambda s, /: clock.advance(s * 1000.0)
+    time.sleep = lambda s, /: clock.advance(float(s) * 1000.0)
     for name in ("gmtime", "localtime", "ctime"):
         setattr(time, name, lambda s=None, f=real[name]: f(now() if s is None else s))
     time.strftime = lambda form, t=None: real["strftime"](form, time.localtime() if t is None else t)
@@ -240,12 +245,12 @@ def main() -> None:
     given = json.loads(sys.argv[1])
     if given.get("size"):
         given["size"] = tuple(given["size"])
-    plan = Plan(**given)
-    if plan.window:
-        from glsim.glut.screen import open_windows
-
-        open_windows(loop)
-    Player(plan).play()
+    try:
+        Player(Plan(**given)).play()
+    except RuntimeError as error:  # no display, no graphics library
+        print(f"glsim run: {error}", file=sys.stderr)
+        sys.stderr.flush()
+        os._exit(1)
     sys.stdout.flush()
     sys.stderr.flush()
     os._exit(0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import logging
 import warnings
+from importlib import import_module
 from typing import Any
 
 
@@ -44,10 +45,10 @@ def _decodes(source: bytes, encoding: str) -> bool:
 def _driver() -> Any:
     warnings.simplefilter("ignore", DeprecationWarning)
     try:
-        from fissix import refactor
+        refactor = import_module("fissix.refactor")
     except ImportError:
         try:
-            from lib2to3 import refactor  # type: ignore[import-not-found,no-redef]
+            refactor = import_module("lib2to3.refactor")
         except ImportError:
             raise ConversionError(
                 "it looks like Python 2: install glsim with `pip install glsim[python2]` to convert it"

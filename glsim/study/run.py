@@ -15,6 +15,7 @@ import sys
 import tempfile
 from collections.abc import Sequence
 from dataclasses import asdict, replace
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -120,9 +121,11 @@ def animate(pictures: Sequence[Path], target: Path, milliseconds: float = 20.0) 
             name, save_all=True, append_images=images[1:], duration=max(milliseconds, 20.0), loop=0))  # fmt: skip
         return
     try:
-        import imageio_ffmpeg
+        imageio_ffmpeg: Any = import_module("imageio_ffmpeg")
     except ImportError:
-        raise ValueError(f"{target}: install glsim with `pip install glsim[video]` to write MP4, or use --gif") from None
+        raise ValueError(
+            f"{target}: install glsim with `pip install glsim[video]` to write MP4, or use --gif"
+        ) from None
 
     def write(name: Any) -> None:
         # players want even sizes
