@@ -21,7 +21,10 @@ if TYPE_CHECKING:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command; returns its exit code."""
-    options = _parser().parse_args(_with_negative_numbers(sys.argv[1:] if arguments is None else arguments))
+    words = _with_negative_numbers(sys.argv[1:] if arguments is None else arguments)
+    split = words.index("--") if "--" in words else len(words)  # what follows is for the program that is run
+    options = _parser().parse_args(words[:split])
+    options.arguments = words[split + 1 :]
     try:
         return int(options.run(options))
     except KeyboardInterrupt:
@@ -69,7 +72,9 @@ def _add_compare(commands: Any) -> None:
     text = "draw a scene flat, Gouraud and Phong shaded, with either specular lobe, side by side"
     p = commands.add_parser("compare", help=text, description=text[0].upper() + text[1:] + ".")
     p.add_argument(
-        "scene", nargs="?", help="a built-in scene (see --list) or a mesh file: OBJ, PLY, STL, GLB, OFF, ..."
+        "scene",
+        nargs="?",
+        help="a built-in scene (see --list), a mesh file (OBJ, PLY, STL, GLB, OFF, ...) or a GLUT program (.py)",
     )
     p.add_argument("-o", "--output", metavar="FILE", help="the sheet (default: compare.png)", default="compare.png")
     p.add_argument("--modes", default="flat,gouraud,phong", metavar="A,B,...",
@@ -187,9 +192,9 @@ def _list(options: argparse.Namespace) -> int:
 
 def _add_run(commands: Any) -> None:
     text = "run an unmodified PyOpenGL/GLUT program, headless or in a window"
-    p = commands.add_parser("run", help=text, description=text[0].upper() + text[1:] + ".")
+    usage = "glsim run SCRIPT [options] [-- ARGS]"
+    p = commands.add_parser("run", help=text, description=text[0].upper() + text[1:] + ".", usage=usage)
     p.add_argument("script", metavar="SCRIPT", help="a Python program that imports OpenGL")
-    p.add_argument("arguments", nargs="*", metavar="ARGS", help="the program's own arguments, after --")
     p.add_argument("--out", metavar="DIR", help="where frame_000.png and so on go (default: frames)")
     p.add_argument("--frames", type=_count, default=1, metavar="N", help="steps of the main loop (default: 1)")
     p.add_argument("--events", default="", metavar='"key a;mouse 0 0 10 20;..."',

@@ -202,9 +202,10 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
 
     def pointer(name: str, gl_type: int, sized: bool) -> Function:
         def call(array: Any) -> Any:
-            values = np.asarray(array)
+            in_buffer = hasattr(array, "bind")  # OpenGL.arrays.vbo.VBO
+            values = np.asarray(array.data if in_buffer else array)
             size = (values.shape[-1] if values.ndim > 1 else 3,) if sized else ()
-            return functions[name](*size, gl_type, 0, values)
+            return functions[name](*size, gl_type, 0, array if in_buffer else values)
 
         return call
 

@@ -15,7 +15,7 @@ class GLUError(Exception):
         self.err, self.description = err, description
 
     def __str__(self) -> str:
-        return f"{self.description} ({gluErrorString(self.err).decode()})"
+        return f"{self.description} ({STRINGS.get(self.err, self.err)})"
 
 
 def one_of(choices: Iterable[int]) -> str:
@@ -36,14 +36,14 @@ STRINGS = {
 }  # fmt: skip
 
 
-def gluErrorString(error: int) -> bytes:
-    """What an error code of GL or GLU means."""
-    return STRINGS.get(int(error), "unknown error").encode()
+def gluErrorString(error: int) -> bytes | None:
+    """What an error code of GL or GLU means; None if it is none."""
+    return STRINGS[error].encode() if error in STRINGS else None
 
 
 def gluGetString(name: int) -> bytes:
     """GLU_VERSION or GLU_EXTENSIONS."""
-    strings = {NAMES["GLU_VERSION"]: b"1.3", NAMES["GLU_EXTENSIONS"]: b"GLU_EXT_nurbs_tessellator "}
+    strings = {NAMES["GLU_VERSION"]: b"1.3", NAMES["GLU_EXTENSIONS"]: b"GLU_EXT_nurbs_tessellator GLU_EXT_object_space_tess "}
     if name not in strings:
         raise GLUError(NAMES["GLU_INVALID_ENUM"], f"gluGetString: name must be {one_of(strings)}, not {name!r}")
     return strings[name]  # type: ignore[index]

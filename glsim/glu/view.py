@@ -109,7 +109,7 @@ def _unproject(
     if viewport[2] == 0 or viewport[3] == 0:
         raise ValueError(f"{name}: the viewport is empty")
     place = np.array([(x - viewport[0]) / viewport[2], (y - viewport[1]) / viewport[3], (z - near) / (far - near)])
-    given = np.array([*((place * 2.0 - 1.0) * w), w])
+    given = np.array([*(place * 2.0 - 1.0), w])
     a, b, c, d = (given @ inverse).tolist()
     if name == "gluUnProject4":
         return a, b, c, d

@@ -7,12 +7,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
+from glsim.glut import fonts
 from glsim.glut.constants import NAMES
 from glsim.glut.loop import SCREEN, FinishedError, loop
 from glsim.glut.window import Window
 
 globals().update(NAMES)
 DEFAULT_SIZE = (300, 300)
+JOIN_DOTS = 0x0206  # GLUT_STROKE_FONT_DRAW_JOIN_DOTS
 
 
 @dataclass
@@ -117,6 +119,8 @@ glutInitWarningFunc = glutInitErrorFunc
 
 def glutSetOption(option: int, value: int) -> None:
     settings.options[int(option)] = int(value)
+    if option == JOIN_DOTS:
+        fonts.draw_join_dots = bool(value)
 
 
 # ---------------------------------------------------------------- windows
@@ -400,7 +404,7 @@ def glutSetMenuData(data: Any) -> None:
 def glutGet(state: int) -> int:
     """Sizes in pixels, times in milliseconds; 0 for what there is not."""
     window = loop.current
-    fixed = {
+    fixed: dict[str, Callable[[], int]] = {
         "GLUT_ELAPSED_TIME": lambda: int(loop.clock.now()), "GLUT_INIT_STATE": lambda: int(settings.initialized),
         "GLUT_SCREEN_WIDTH": lambda: SCREEN[0], "GLUT_SCREEN_HEIGHT": lambda: SCREEN[1],
         "GLUT_SCREEN_WIDTH_MM": lambda: 339, "GLUT_SCREEN_HEIGHT_MM": lambda: 271,
@@ -411,7 +415,7 @@ def glutGet(state: int) -> int:
     }  # fmt: skip
     for name, answer in fixed.items():
         if state == NAMES[name]:
-            return int(answer())
+            return answer()
     if window is None:
         return 0
     samples = window.screen.samples

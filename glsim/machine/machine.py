@@ -97,10 +97,10 @@ class Machine:
     __slots__ = (  # noqa: RUF023
         # registers: current values, vertices since the last flush, what is going on
         "accum_clear", "alpha", "array_buffer", "attrib_stack", "begin_material", "blue", "buffers", "busy",
-        "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling", "device",
-        "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest", "list_base",
-        "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store", "packets", "pixel",
-        "projection", "queries", "raster", "recorder", "red", "selection", "several_texture_matrices", "stack",
+        "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling",
+        "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest",
+        "list_base", "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store", "packets",
+        "pixel", "projection", "queries", "raster", "recorder", "red", "selection", "several_texture_matrices", "stack",
         "stacks", "stream", "texcoord", "texture_names", "texture_stacks", "textures", "tracks", "unpack_store",
         "write", "__weakref__",
         # groups of state

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import os
+import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -107,7 +108,7 @@ def compare(
     """Draw ``what`` once for each shading mode and specular lobe.
 
     what: a function that draws with the gl commands, a Scene, the name of a built-in scene, the path of a mesh file,
-        or a trimesh.Trimesh.
+        a trimesh.Trimesh, or the path of a GLUT program (.py), whose first picture is taken at its own size.
     modes: of "flat", "gouraud", "phong", "wireframe", "unlit", "native" (the driver's own fixed function).
     lobes: "blinn" and/or "phong".  size: of each picture, in pixels.
     lights, material, camera: instead of the scene's own; not for a function, which sets its own.
@@ -121,6 +122,8 @@ def compare(
         if unknown or not given:
             raise ValueError(f"compare: {kind}s are {', '.join(known)}, not {', '.join(unknown) or 'none'}")
     tell = progress or (lambda words: None)
+    if isinstance(what, (str, Path)) and str(what).endswith(".py"):
+        return _compare_program(Path(what), tuple(modes), tuple(lobes), tell)
     tell("reading the scene")
     title, draw = _drawer(what, size, lights, material, camera)
     from glsim.machine.current import current_machine, make_current
@@ -145,6 +148,30 @@ def compare(
         screen.release()
         make_current(before if isinstance(before, Machine) else None)
     return Comparison(title, tuple(modes), tuple(lobes), images)
+
+
+def _compare_program(
+    script: Path, modes: tuple[str, ...], lobes: tuple[str, ...], tell: Callable[[str], object]
+) -> Comparison:
+    """The first picture of a program, run once for each mode and lobe."""
+    from PIL import Image
+
+    from glsim.study.play import Plan
+    from glsim.study.run import run
+
+    if "native" in modes:
+        raise ValueError("compare: a program cannot be drawn by the driver's fixed function here; leave native out")
+    images = {}
+    with tempfile.TemporaryDirectory(prefix="glsim-") as folder:
+        for lobe in lobes:
+            for mode in modes:
+                tell(f"running {script.name}: {MODES[mode]}, {LOBES[lobe]}")
+                record = run(Plan(str(script), out=folder, shade=mode, lobe=lobe))
+                if record["status"] != "ok" or not record["pictures"]:
+                    reasons = [error["error"] for error in record["errors"]] + record["notes"]
+                    raise ValueError(f"compare: {script} gives no picture: {(reasons or [record['status']])[0]}")
+                images[lobe, mode] = np.asarray(Image.open(Path(folder) / record["pictures"][0]))
+    return Comparison(script.name, modes, lobes, images)
 
 
 def _drawer(

@@ -23,13 +23,12 @@ from glsim.files import write_atomically
 from glsim.glut.loop import FinishedError, Loop, StepClock, loop
 from glsim.glut.screen import Screen, open_windows
 from glsim.glut.window import Window
-from glsim.machine.frame import Draw
-from glsim.study import alias
+from glsim.machine.frame import Draw, Frame
+from glsim.study import alias, toolkits
 from glsim.study.python2 import ConversionError, converted, is_python_3
 
 MOST_ERRORS = 5  # a program that fails so often is stopped
 EPOCH = 1_000_000_000.0  # what time.time() says at the start, in seconds
-SHADE_MODELS = ("flat", "smooth", "phong")
 
 
 @dataclass
@@ -84,6 +83,7 @@ class Player:
         loop.events, loop.fixed_size = plan.events, plan.size
         loop.steps = None if plan.window and plan.frames == 1 else plan.frames
         loop.on_open, loop.on_step, loop.on_error = self._opened, self._after_step, self._failed
+        toolkits.adopt(loop, plan.window)
         alias.install(self._counted if plan.count else None)
         try:
             self._execute()
@@ -193,19 +193,17 @@ def _is_ours(filename: str) -> bool:
 
 
 def reshaded(shade: str | None, lobe: str | None) -> Callable[[Draw], Draw] | None:
-    """What gives a Draw this shade model and lobe, whatever the program says; None if it keeps its own."""
+    """What gives a Draw this mode of study.compare and this lobe, whatever the program says; None if it keeps both."""
     if shade is None and lobe is None:
         return None
-    from glsim.study.compare import LOBE, SHADE_MODEL
-
-    changes: dict[str, Any] = {}
-    if shade is not None:
-        changes["shade_model"] = SHADE_MODEL["gouraud" if shade == "smooth" else shade]
-    if lobe is not None:
-        changes["lobe"] = LOBE[lobe]
+    from glsim.study.compare import LOBE, shaded
 
     def change(draw: Draw) -> Draw:
-        return draw.with_state(draw.state._replace(lighting=draw.state.lighting._replace(**changes)))
+        if shade is None:
+            lighting = draw.state.lighting._replace(lobe=LOBE[lobe or "blinn"])
+            return draw.with_state(draw.state._replace(lighting=lighting))
+        mode = "gouraud" if shade == "smooth" else shade
+        return next(shaded(Frame(0, 0, [draw]), mode, lobe or "blinn").draws)
 
     return change
 

@@ -44,6 +44,7 @@ def events_from(keys: str, events: str) -> list[str]:
 def run(plan: Plan, timeout: float | None = 60.0) -> dict[str, Any]:
     """Play ``plan`` in a child process; what happened, as play.Record has it, and "timeout" as a further status.
 
+    With ``plan.count`` what the program prints goes to standard error.
     timeout: seconds after which the program is stopped; None for never.  Raises FileNotFoundError for a script that is
     not there, KeyboardInterrupt after the child was stopped.
     """
@@ -60,7 +61,7 @@ def run(plan: Plan, timeout: float | None = 60.0) -> dict[str, Any]:
         environment["PYTHONPATH"] = os.pathsep.join(filter(None, (root, os.environ.get("PYTHONPATH"))))
         child = subprocess.Popen(
             [sys.executable, "-m", "glsim.study.play", words],
-            cwd=os.path.dirname(os.path.abspath(plan.script)), env=environment, stdout=sys.stderr,
+            cwd=os.path.dirname(os.path.abspath(plan.script)), env=environment, stdout=2 if plan.count else None,
             start_new_session=True,
         )  # fmt: skip
         timed_out = _wait(child, timeout)
