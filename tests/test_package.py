@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import subprocess
 import sys
 import sysconfig
@@ -82,10 +83,14 @@ def test_python_of_the_readme(program: str, tmp_path: Path) -> None:
 
 
 def test_glsim_commands_of_the_readme(tmp_path: Path) -> None:
+    (tmp_path / "teapot.py").write_text(blocks("py")[0])
     commands = [line for block in blocks("sh") for line in block.splitlines() if line.startswith("glsim ")]
-    assert len(commands) >= 3
+    assert len(commands) >= 8
     for command in commands:
-        run(sys.executable, "-m", "glsim", *command.split()[1:], cwd=tmp_path, PYTHONPATH=str(ROOT))
+        if "--window" not in command:  # tests/test_window.py opens windows
+            words = shlex.split(command, comments=True)[1:]
+            run(sys.executable, "-m", "glsim", *words, cwd=tmp_path, PYTHONPATH=str(ROOT))
+    assert {"frames", "teapot.gif", "after-a-drag", "teapot-shading.png"} <= {path.name for path in tmp_path.iterdir()}
 
 
 def test_the_readmes_number_of_programs() -> None:
