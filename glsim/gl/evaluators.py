@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import comb
 from typing import Any, NamedTuple
 
@@ -20,8 +21,8 @@ from glsim.machine.constants import (
     GL_ORDER,
     GL_POINT,
     GL_POINTS,
-    GL_QUAD_STRIP,
-    GL_TRIANGLE_STRIP,
+    GL_QUADS,
+    GL_TRIANGLES,
 )
 from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.frame import ROW, ROW_BYTES
@@ -32,6 +33,9 @@ MAX_EVAL_ORDER = 30
 # the nine maps from GL_MAP1_COLOR_4 and from GL_MAP2_COLOR_4 on: what they give, and how many numbers
 COLOR, INDEX, NORMAL, TEXTURE_1, TEXTURE_2, TEXTURE_3, TEXTURE_4, VERTEX_3, VERTEX_4 = range(9)
 COMPONENTS = (4, 1, 3, 1, 2, 3, 4, 3, 4)
+
+
+Vertices = tuple[NDArray[np.float32], dict[str, NDArray[np.float32]]]  # rows and columns
 
 
 class Map(NamedTuple):
@@ -150,21 +154,27 @@ def bernstein_derivative(order: int, t: Float) -> Float:
     return result
 
 
-def _at(map: Map, places: tuple[Float, ...], derive: int | None = None) -> Float:
-    """The map, or its derivative by u (0) or v (1), at some places: (n, k)."""
+def _at(map: Map, places: tuple[Float, ...], grid: bool, derive: int | None = None) -> Float:
+    """The map, or its derivative by u (0) or v (1), at some places: (n, k).  grid: at every u with every v."""
     bases = []
     for axis, t in enumerate(places):
         low, high = map.domain[2 * axis : 2 * axis + 2]
         basis = bernstein_derivative if derive == axis else bernstein
         bases.append(basis(map.points.shape[axis], (t - low) / (high - low)))
-    letters = "ni,ik->nk" if len(places) == 1 else "ni,nj,ijk->nk"
-    return np.asarray(np.einsum(letters, *bases, map.points))
+    if len(places) == 1:
+        return np.asarray(bases[0] @ map.points)
+    along_v = np.tensordot(bases[1], map.points, (1, 1))  # (v, i, k)
+    if grid:
+        return np.asarray(np.tensordot(bases[0], along_v, (1, 1))).reshape(-1, map.points.shape[2])
+    return np.asarray(np.einsum("ni,nik->nk", bases[0], along_v))
 
 
-def evaluate(m: Machine, *places: Float) -> tuple[NDArray[np.float32], dict[str, NDArray[np.float32]]] | None:
+def evaluate(
+    m: Machine, *places: Float, grid: bool = False
+) -> tuple[NDArray[np.float32], dict[str, NDArray[np.float32]]] | None:
     """Vertices at u (n,) or u, v (n,) of the enabled maps: rows (n, 10) and columns; None without a vertex map.
 
-    What no map gives is current.
+    What no map gives is current.  grid: at every u with every v, u changing slowest.
     """
     dimensions = len(places)
     enabled = m.evaluators.enabled_1 if dimensions == 1 else m.evaluators.enabled_2
@@ -173,21 +183,21 @@ def evaluate(m: Machine, *places: Float) -> tuple[NDArray[np.float32], dict[str,
     vertex = maps.get(VERTEX_4, maps.get(VERTEX_3))
     if vertex is None:
         return None
-    rows = np.empty((len(places[0]), ROW), np.float32)
+    P = _at(vertex, places, grid)
+    rows = np.empty((len(P), ROW), np.float32)
     columns: dict[str, NDArray[np.float32]] = {}
-    P = _at(vertex, places)
     rows[:, :3] = P[:, :3]
     if P.shape[1] == 4:
         columns["w"] = P[:, 3:].astype(np.float32)
     if dimensions == 2 and m.evaluators.auto_normal:
-        rows[:, 3:6] = _normals(vertex, P, places)
+        rows[:, 3:6] = _normals(vertex, P, places, grid)
     else:
-        rows[:, 3:6] = _at(maps[NORMAL], places) if NORMAL in maps else (m.nx, m.ny, m.nz)
-    rows[:, 6:10] = _at(maps[COLOR], places) if COLOR in maps else (m.red, m.green, m.blue, m.alpha)
+        rows[:, 3:6] = _at(maps[NORMAL], places, grid) if NORMAL in maps else (m.nx, m.ny, m.nz)
+    rows[:, 6:10] = _at(maps[COLOR], places, grid) if COLOR in maps else (m.red, m.green, m.blue, m.alpha)
     for what in (TEXTURE_4, TEXTURE_3, TEXTURE_2, TEXTURE_1):
         if what in maps:
             coordinates = np.tile(np.array([0.0, 0.0, 0.0, 1.0], np.float32), (len(rows), 1))
-            coordinates[:, : COMPONENTS[what]] = _at(maps[what], places)
+            coordinates[:, : COMPONENTS[what]] = _at(maps[what], places, grid)
             columns["texcoord0"] = coordinates
             break
     return rows, columns
@@ -200,9 +210,9 @@ def _default(what: int, dimensions: int) -> Map:
     return Map(np.array(point).reshape((1,) * dimensions + (-1,)), (0.0, 1.0) * dimensions)
 
 
-def _normals(vertex: Map, P: Float, places: tuple[Float, ...]) -> Float:
+def _normals(vertex: Map, P: Float, places: tuple[Float, ...], grid: bool) -> Float:
     """GL_AUTO_NORMAL: the unit vector along dP/du x dP/dv."""
-    du, dv = _at(vertex, places, 0), _at(vertex, places, 1)
+    du, dv = _at(vertex, places, grid, 0), _at(vertex, places, grid, 1)
     if P.shape[1] == 4:  # derivatives of x / w, but for a positive factor
         du, dv = (d[:, :3] * P[:, 3:] - P[:, :3] * d[:, 3:] for d in (du, dv))
     N = np.cross(du, dv)
@@ -277,25 +287,32 @@ def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> No
     if len(p) * len(q) > MOST_STEPS:
         raise invalid_value("the range of the mesh", (p1, p2, q1, q2), f"of at most {MOST_STEPS} points")
     grid = m.evaluators.grid_2
-    u, v = np.meshgrid(_grid(*grid[:3], p), _grid(*grid[3:], q), indexing="ij")
-    found = evaluate(m, u.ravel(), v.ravel())
+    found = evaluate(m, _grid(*grid[:3], p), _grid(*grid[3:], q), grid=True)
     if found is None:
         return
-    number = np.arange(u.size).reshape(u.shape)  # of the grid point (p, q)
-    strips: list[tuple[int, Any]]
-    if mode == GL_POINT:
-        strips = [(GL_POINTS, number.ravel())]
-    elif mode == GL_LINE:
-        lines: list[Any] = [*number.T, *number]
-        strips = [(GL_LINE_STRIP, line) for line in lines]
-    else:
-        # quads may be cut along either diagonal; where it is not seen that they are quads, cut them as drivers do
-        filled = m.polygon.front_mode == m.polygon.back_mode == GL_FILL and m.lighting.shade_model != GL_FLAT
-        area = GL_TRIANGLE_STRIP if filled else GL_QUAD_STRIP
-        strips = [(area, number[:, k : k + 2].ravel()) for k in range(len(q) - 1)]
     rows, columns = found
-    for kind, chosen in strips:
-        m.add_draw(kind, rows[chosen], {name: values[chosen] for name, values in columns.items()}, None)
+    number = np.arange(len(p) * len(q)).reshape(len(p), len(q))  # of the grid point (p, q)
+    if mode == GL_LINE:
+        lines: list[Any] = [*number.T, *number]
+        for line in lines:
+            m.add_draw(GL_LINE_STRIP, rows[line], {name: values[line] for name, values in columns.items()}, None)
+    elif mode == GL_POINT:
+        m.add_draw(GL_POINTS, rows, columns, None)
+    elif len(p) > 1 and len(q) > 1:
+        # quads may be cut along either diagonal; where it is not seen that they are quads, cut them as drivers do
+        seen = m.polygon.front_mode != GL_FILL or m.polygon.back_mode != GL_FILL or m.lighting.shade_model == GL_FLAT
+        m.add_draw(GL_QUADS if seen else GL_TRIANGLES, rows, columns, _strips(len(p), len(q), seen))
+
+
+@lru_cache(maxsize=32)
+def _strips(nu: int, nv: int, quads: bool) -> NDArray[np.uint32]:
+    """The strips of a filled mesh of nu x nv points: as quads that end in the strips' provoking vertices (the fourth
+    of each), or as the triangles of triangle strips."""
+    number = np.arange(nu * nv, dtype=np.uint32).reshape(nu, nv)
+    a, b, c, d = number[:-1, :-1].T, number[:-1, 1:].T, number[1:, :-1].T, number[1:, 1:].T  # strip after strip
+    if quads:
+        return np.stack([c, a, b, d], axis=-1).ravel()
+    return np.stack([a, b, c, c, b, d], axis=-1).ravel()
 
 
 # ---------------------------------------------------------------- queries
