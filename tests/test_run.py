@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
 import signal
 import subprocess
@@ -21,6 +22,7 @@ from glsim.study.play import Plan
 from glsim.study.python2 import converted, is_python_3
 from glsim.study.run import events_from, run
 
+ROOT = Path(__file__).parents[1]
 WINDOW = """
 from OpenGL.GL import *
 from OpenGL.GLU import *
@@ -392,3 +394,12 @@ def test_glfw_programs(tmp_path: Path) -> None:
     assert play(tmp_path, script, frames=3, events=["key g"])["status"] == "ok"
     assert [picture(tmp_path, f"frame_00{k}.png")[5, 5, 0] for k in range(3)] == [0, 255, 255]
     assert picture(tmp_path, "frame_002.png")[5, 5, 1] == 10
+
+
+def test_without_a_display_a_program_is_told_what_to_do(tmp_path: Path) -> None:
+    pytest.importorskip("glfw")
+    text = "import glsim.glut as glut\nglut.glutInit()\nglut.glutCreateWindow('x')\nglut.glutMainLoop()\n"
+    environment = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    words = [sys.executable, "-c", text]
+    said = subprocess.run(words, env=environment, capture_output=True, text=True, cwd=ROOT).stderr
+    assert "glsim run SCRIPT needs none" in said

@@ -251,6 +251,10 @@ def glutPostWindowRedisplay(window: int) -> None:
 def glutMainLoop() -> None:
     if not loop.windows:
         raise RuntimeError("glutMainLoop: there is no window: call glutCreateWindow first")
+    if loop.on_step is None:  # not under glsim run
+        from glsim.glut.screen import open_windows
+
+        loop.on_step = open_windows(loop).after_step
     loop.run()
 
 

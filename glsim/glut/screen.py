@@ -60,9 +60,11 @@ class Screen:
         try:
             self.glfw = import_module("glfw")
         except ImportError:
-            raise RuntimeError("--window needs the package glfw: pip install glsim[window]") from None
+            raise RuntimeError(
+                "windows need the package glfw (pip install glsim[window]); glsim run needs none"
+            ) from None
         if not self.glfw.init():
-            raise RuntimeError("--window: no window can be opened here; is there a display?")
+            raise RuntimeError("no window can be opened here (is there a display?); glsim run SCRIPT needs none")
         self.loop = loop
         self.shown: dict[int, Shown] = {}
         self.start = time.perf_counter()
@@ -107,7 +109,7 @@ class Shown:
         window.screen.detach()
         self.handle = glfw.create_window(*window.asked, window.title, None, None)
         if not self.handle:
-            raise RuntimeError("--window: glfw could not open a window")
+            raise RuntimeError("glfw could not open a window")
         self.texture: Any = None
         self._enter()
         loader: Any = _Loader(glfw)
