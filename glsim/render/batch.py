@@ -80,7 +80,9 @@ def plans(draws: Sequence[Draw], limit: int) -> tuple[list[Object], list[Plan]]:
         if members[0].block.static:
             result.append(_instances(members, limit, objects))
             continue
-        parts = [part for draw in members for part in separate(draw, limit)]
+        parts = members
+        if members[0].block.materials:
+            parts = [part for draw in members for part in separate(draw, limit)]
         result += [plan(list(same), limit, objects) for _, same in groupby(parts, key=lambda draw: id(draw.vertices))]
     return objects, result
 
@@ -108,7 +110,8 @@ def _instances(draws: list[Draw], limit: int, objects: list[Object]) -> Plan:
 
 
 def _alike(a: Draw, b: Draw) -> bool:
-    return a.state == b.state and a.matrices[3:] == b.matrices[3:]
+    same = a.state is b.state or a.state == b.state
+    return same and a.matrices[3:] == b.matrices[3:]
 
 
 def plan(draws: Sequence[Draw], limit: int, objects: list[Object]) -> Plan:
@@ -116,14 +119,16 @@ def plan(draws: Sequence[Draw], limit: int, objects: list[Object]) -> Plan:
     result = Plan(draws[0].block)
     spans: list[tuple[int, int, int]] = []  # first vertex, end, object relative to the batch
     batch: Batch | None = None
+    changing = bool(result.vertices.materials)
     for draw in draws:
-        changes = draw.material_changes()
+        changes = draw.material_changes() if changing else []
         if batch is None or not _fits(batch, draw, len(changes), limit):
             batch = Batch(draw.state, corners(draw.mode), draw.block, len(objects), 0, [])
             result.batches.append(batch)
         batch.draws.append(draw)
         row = _row(objects, batch, Object(draw.matrices, draw.material, draw.color))
-        first, known = draw.first, {draw.material: row}
+        first = draw.first
+        known = {draw.material: row} if changes else {}
         for vertex, material in changes:
             spans.append((first, vertex, row))
             if material not in known:

@@ -39,6 +39,10 @@ Float = NDArray[np.float32]
 
 def prepare(draws: Iterable[Draw]) -> Iterator[Draw]:
     """The Draws as the core profile can draw them."""
+    draws = list(draws)
+    if not any(map(_need, draws)):
+        yield from draws
+        return
     for (need, _, _), group in groupby(draws, key=lambda draw: (_need(draw), id(draw.vertices), draw.state)):
         if need == "unfilled":
             yield from prepare(part for draw in group for part in unfilled(draw))
