@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from glsim.glu import constants, errors, images, nurbs, quadric, tess, view
 from glsim.glu.errors import GLUError as GLUError
+from glsim.glu.errors import GLUWarning as GLUWarning
 
 GLUerror = GLUError  # PyOpenGL's names
 GLUquadric = GLUQuadric = GLUquadricObj = quadric.Quadric

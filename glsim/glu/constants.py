@@ -33,13 +33,14 @@ NAMES = {f"GLU_VERSION_1_{k}": Enum(f"GLU_VERSION_1_{k}", 1) for k in (1, 2, 3)}
 NAMES |= {name: Enum(name, int(value)) for name, value in zip(_WORDS[::2], _WORDS[1::2], strict=True)}
 NAMES |= {f"GLU_NURBS_ERROR{k}": Enum(f"GLU_NURBS_ERROR{k}", 100250 + k) for k in range(1, 38)}
 NAMES |= {f"GLU_VERSION_1_{k}": Enum(f"GLU_VERSION_1_{k}", 1) for k in (1, 2, 3)}
-for _name in "BEGIN VERTEX NORMAL COLOR END MODE TESSELLATOR RENDERER".split():  # as GLU_EXT_nurbs_tessellator had them
-    for _data in ("", "_DATA") if _name in ("BEGIN", "VERTEX", "NORMAL", "COLOR", "END") else ("",):
-        NAMES[f"GLU_NURBS_{_name}{_data}_EXT"] = NAMES[f"GLU_NURBS_{_name}{_data}"]
+NAMES |= {  # as the extension GLU_EXT_nurbs_tessellator had them
+    f"{name}_EXT": NAMES[name]
+    for name in list(NAMES)
+    if name.startswith("GLU_OBJECT_")
+    or (name.startswith("GLU_NURBS_") and "ERROR" not in name and "TEXTURE" not in name)
+}
 NAMES["GLU_NURBS_TEX_COORD_EXT"] = NAMES["GLU_NURBS_TEXTURE_COORD"]
 NAMES["GLU_NURBS_TEX_COORD_DATA_EXT"] = NAMES["GLU_NURBS_TEXTURE_COORD_DATA"]
-NAMES["GLU_OBJECT_PARAMETRIC_ERROR_EXT"] = NAMES["GLU_OBJECT_PARAMETRIC_ERROR"]
-NAMES["GLU_OBJECT_PATH_LENGTH_EXT"] = NAMES["GLU_OBJECT_PATH_LENGTH"]
 GLU_TESS_MAX_COORD = 1.0e150
 globals().update(NAMES)
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from glsim import gl
 from glsim.glu import constants
-from glsim.glu.errors import GLUError, one_of
+from glsim.glu.errors import one_of, warn
 
 NAMES = constants.NAMES
 FILL, LINE, POINT, SILHOUETTE = (NAMES[f"GLU_{name}"] for name in ("FILL", "LINE", "POINT", "SILHOUETTE"))
@@ -46,10 +46,11 @@ class Quadric:
             gl.glNormal3f(x, y, z)
 
     def fail(self, name: str, sentence: str, error: str = "GLU_INVALID_VALUE") -> None:
-        """GLU reports errors to the callback; without one they are raised."""
+        """GLU reports errors to the callback; without one there is a warning."""
         if self.on_error is None:
-            raise GLUError(NAMES[error], f"{name}: {sentence}")
-        self.on_error(NAMES[error])
+            warn(NAMES[error], f"{name}: {sentence}")
+        else:
+            self.on_error(NAMES[error])
 
     def choose(self, field: str, name: str, value: int, choices: tuple[int, ...]) -> None:
         """Set a field to one of the choices."""

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from glsim import gl
 from glsim.glu.constants import GLU_TESS_MAX_COORD, NAMES
-from glsim.glu.errors import GLUError, one_of
+from glsim.glu.errors import one_of, warn
 
 Float = NDArray[np.float64]
 Whole = NDArray[np.int64]
@@ -64,10 +64,11 @@ class Tessellator:
         return function(*arguments, self.polygon_data) if wants_data else function(*arguments)
 
     def fail(self, sentence: str, error: str) -> None:
-        """To the callback; without one the error is raised."""
+        """To the callback; without one there is a warning."""
         if "ERROR" not in self.callbacks:
-            raise GLUError(NAMES[error], sentence)
-        self.call("ERROR", NAMES[error])
+            warn(NAMES[error], sentence)
+        else:
+            self.call("ERROR", NAMES[error])
 
     @property
     def depth(self) -> int:

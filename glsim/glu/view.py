@@ -58,7 +58,7 @@ def gluPickMatrix(x: float, y: float, deltax: float, deltay: float, viewport: An
     gl.glScalef(width / deltax, height / deltay, 1.0)
 
 
-def _matrices(model: Any, proj: Any, view: Any) -> tuple[Float, Float, Float]:
+def matrices(model: Any, proj: Any, view: Any) -> tuple[Float, Float, Float]:
     """What is given, or what the context has: modelview, projection (4, 4), viewport (4,)."""
     modelview = np.asarray(gl.glGetDoublev(gl.GL_MODELVIEW_MATRIX) if model is None else model, np.float64)
     projection = np.asarray(gl.glGetDoublev(gl.GL_PROJECTION_MATRIX) if proj is None else proj, np.float64)
@@ -73,7 +73,7 @@ def gluProject(
 
     Raises ValueError if the point has no place on the screen (w is 0).
     """
-    modelview, projection, viewport = _matrices(model, proj, view)
+    modelview, projection, viewport = matrices(model, proj, view)
     clip = np.array([objX, objY, objZ, 1.0]) @ modelview @ projection
     if clip[3] == 0.0:
         raise ValueError("gluProject: the point lies in the plane of the eye, so it has no place on the screen")
@@ -101,7 +101,7 @@ def gluUnProject4(
 def _unproject(
     x: float, y: float, z: float, w: float, model: Any, proj: Any, view: Any, near: float, far: float, name: str
 ) -> tuple[float, float, float, float]:
-    modelview, projection, viewport = _matrices(model, proj, view)
+    modelview, projection, viewport = matrices(model, proj, view)
     try:
         inverse = np.linalg.inv(modelview @ projection)
     except np.linalg.LinAlgError:
