@@ -94,8 +94,9 @@ def copied(client: dict[Any, Any]) -> dict[Any, Any]:
 
 def frozen(argument: Any) -> Any:
     """A copy that the program cannot change later."""
+    if type(argument) is list:
+        plain = not argument or type(argument[0]) is float
+        return tuple(argument) if plain else tuple(map(frozen, argument))
     if isinstance(argument, (int, float, str, bytes, tuple)) or argument is None:
         return argument
-    if isinstance(argument, list):
-        return tuple(map(frozen, argument))
     return np.array(argument)
