@@ -14,9 +14,7 @@ from pathlib import Path
 import pytest
 
 pytest.importorskip("glfw")
-pytestmark = pytest.mark.skipif(
-    not (shutil.which("Xvfb") and shutil.which("xdotool")), reason="needs Xvfb and xdotool"
-)
+pytestmark = pytest.mark.skipif(not (shutil.which("Xvfb") and shutil.which("xdotool")), reason="needs Xvfb and xdotool")
 
 PROGRAM = """
 from OpenGL.GL import *
@@ -47,6 +45,12 @@ glutSpecialFunc(note("special"))
 glutMouseFunc(note("mouse"))
 glutMotionFunc(note("motion"))
 glutPassiveMotionFunc(note("passive"))
+submenu = glutCreateMenu(note("submenu"))
+glutAddMenuEntry("inner", 11)
+glutCreateMenu(note("menu"))
+glutAddMenuEntry("first", 1)
+glutAddSubMenu("more", submenu)
+glutAttachMenu(GLUT_RIGHT_BUTTON)
 glutTimerFunc(100, note("timer"), 7)
 glutMainLoop()
 print("left", file=log, flush=True)
@@ -102,6 +106,14 @@ def test_keys_mouse_and_resizing_reach_the_program(display: str, tmp_path: Path)
             tool("key", key)
         for words in ("mouse 0 0 50 60 0", "motion 80 90 0", "mouse 0 1 80 90 0", "key b'g' 80 90 0",
                       "special 100 80 90 0", "key b'A' 80 90 1", "key b'\\x1b' 80 90 0"):  # fmt: skip
+            wait_for(words)
+        for y, words in ((47, "menu 1 0"), (83, "submenu 11 0")):  # rows of 18 pixels from where the menu was opened
+            tool("mousemove", "--window", window, "20", "40")
+            wait_for("passive 20 40 0")
+            tool("click", "3")
+            tool("mousemove", "--window", window, "40", str(y))
+            wait_for(f"passive 40 {y} 0")
+            tool("click", "1")
             wait_for(words)
         tool("windowsize", window, "300", "220")
         wait_for("reshape 300 220 0")

@@ -319,7 +319,7 @@ def glutTimerFunc(msecs: float, callback: Callable[[Any], Any], value: Any = 0) 
 
 
 def glutMenuStatusFunc(callback: Any = None) -> None:
-    """Accepted: menus are not shown; events choose their entries."""
+    """Accepted without effect."""
 
 
 glutMenuStateFunc = glutMenuDestroyFunc = glutMenuStatusFunc

@@ -11,6 +11,7 @@ import numpy as np
 
 from glsim.glut.constants import NAMES
 from glsim.glut.loop import Loop
+from glsim.glut.popup import Popup
 from glsim.glut.window import Window
 
 WAIT = 10.0  # milliseconds between two looks at the events when nothing is to be done
@@ -118,6 +119,7 @@ class Shown:
         self.triangle = self.ctx.vertex_array(self.program, [])
         self._leave()
         self.buttons: set[int] = set()
+        self.popup: Popup | None = None
         self._listen()
 
     def _enter(self) -> None:
@@ -133,6 +135,8 @@ class Shown:
         picture = self.window.shown
         if picture is None:
             return
+        if self.popup is not None:
+            picture = self.popup.drawn_on(picture, self._at())
         height, width = picture.shape[:2]
         self._enter()
         if self.texture is None or self.texture.size != (width, height):
@@ -206,6 +210,15 @@ class Shown:
             button, button
         )
         down = action == glfw.PRESS
+        if self.popup is not None:
+            if down:
+                popup, self.popup = self.popup, None
+                self.loop.choose(self.window)
+                popup.choose(*self._at())
+            return
+        if down and number in self.window.menus:
+            self.popup = Popup(self.loop, self.window.menus[number], *self._at())
+            return
         (self.buttons.add if down else self.buttons.discard)(number)
         self._fire("Mouse", number, int(NAMES["GLUT_DOWN" if down else "GLUT_UP"]), *self._at())
 
