@@ -403,3 +403,50 @@ def test_without_a_display_a_program_is_told_what_to_do(tmp_path: Path) -> None:
     words = [sys.executable, "-c", text]
     said = subprocess.run(words, env=environment, capture_output=True, text=True, cwd=ROOT).stderr
     assert "glsim run SCRIPT needs none" in said
+
+
+def test_python_2_programs_keep_their_keys_their_division_and_their_modules(tmp_path: Path) -> None:
+    (tmp_path / "helper.py").write_text("print 'helper'\nhalf = 3 / 2\n")
+    old = textwrap.dedent("""
+        import string, Image, helper
+        log = open("log.txt", "w")
+        print >>log, 7 / 2, 7.0 / 2, -7 / 2, helper.half, string.join(["a", "b"]), Image.new("RGB", (2, 2)).size
+        n = 9
+        n /= 2
+        print >>log, n
+        def key(c, x, y):
+            print >>log, c == 'a', c in 'abc'
+            log.flush()
+        glutKeyboardFunc(key)
+        glutDisplayFunc(lambda: None)
+        glutMainLoop()
+        """)
+    record = play(tmp_path, program(tmp_path, old), events=["key a"])
+    assert record["status"] == "ok", record
+    assert (tmp_path / "log.txt").read_text().splitlines() == ["3 3.5 -4 1 a b (2, 2)", "4", "True True"]
+
+
+def test_a_display_function_that_never_returns_leaves_its_picture(tmp_path: Path) -> None:
+    text = "import time\nreal = time.sleep\ndef display():\n    while True:\n        glClear(GL_COLOR_BUFFER_BIT)\n"
+    text += "        glutSwapBuffers()\nglutDisplayFunc(display)\nglutMainLoop()\n"
+    record = play(tmp_path, program(tmp_path, text), timeout=6.0)
+    assert (record["status"], record["pictures"]) == ("timeout", ["frame_000.png"])
+
+
+def test_later_versions_can_be_asked_for(tmp_path: Path) -> None:
+    script = program(
+        tmp_path,
+        """
+        import numpy
+        assert not bool(glCreateShader) and not glGenFramebuffers
+        assert b"GL_ARB_multitexture" in glGetString(GL_EXTENSIONS) and glutExtensionSupported("GL_ARB_multitexture")
+        glTexImage2Dub(GL_TEXTURE_2D, 0, GL_RGB, 0, GL_RGB, numpy.zeros((8, 4, 3), "u1"))
+        assert glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH) == 8
+        glWindowPos2i(0, 0)
+        glDrawPixelsf(GL_LUMINANCE, numpy.ones((3, 3), "f"))
+        assert glReadPixelsub(0, 0, 1, 1, GL_RGB) == b"\\xff" * 3
+        glCreateShader(GL_VERTEX_SHADER)
+        """,
+    )
+    record = play(tmp_path, script)
+    assert record["errors"][0]["error"].startswith("RuntimeError: glCreateShader is OpenGL 2 or later")

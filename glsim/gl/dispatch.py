@@ -189,10 +189,25 @@ SUFFIX_FREE = (
 
 
 def _typed_last(function: Function, gl_type: int, leading: int) -> Function:
-    """glReadPixelsf(x, y, width, height, format): an array of that type, unless bytes are asked for."""
+    """glReadPixelsf(x, y, width, height, format): bytes for unsigned bytes, else an array."""
 
-    def call(*arguments: Any, array: Any = None, outputType: Any = None) -> Any:
+    def call(*arguments: Any, array: Any = None, outputType: Any = bytes) -> Any:
         return function(*arguments[:leading], gl_type, *arguments[leading:] or (array, outputType))
+
+    return call
+
+
+def _typed_image(function: Function, gl_type: int, leading: int) -> Function:
+    """glTexImage2Df(target, level, internalformat, border, format, pixels), glDrawPixelsub(format, pixels): the size is
+    that of the array, width first, as PyOpenGL has it."""
+    dimensions = 1 if "1D" in function.__name__ else 2
+
+    def call(*arguments: Any) -> Any:
+        *before, format, pixels = arguments
+        size = np.shape(pixels)[:dimensions]
+        if len(size) < dimensions:
+            raise ValueError(f"{function.__name__}: an array of {dimensions} or more dimensions is needed")
+        return function(*before[:leading], *size, *before[leading:], format, gl_type, pixels)
 
     return call
 
@@ -223,6 +238,10 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
     for suffix, gl_type in SUFFIXES.items():
         made[f"glReadPixels{suffix}"] = _typed_last(functions["glReadPixels"], gl_type, 5)
         made[f"glGetTexImage{suffix}"] = _typed_last(functions["glGetTexImage"], gl_type, 3)
+    for suffix, gl_type in SUFFIXES.items():
+        for name, leading in (("glTexImage1D", 3), ("glTexImage2D", 3), ("glTexSubImage1D", 3), ("glTexSubImage2D", 4),
+                              ("glDrawPixels", 0)):  # fmt: skip
+            made[f"{name}{suffix}"] = _typed_image(functions[name], gl_type, leading)
     for name, function in made.items():
         function.__name__ = function.__qualname__ = name
     return made

@@ -316,6 +316,19 @@ def glGetError(m: Machine) -> int:
     return int(gl.GL_NO_ERROR)
 
 
+# glsim's own, and those that became part of OpenGL 1.1 to 1.5
+EXTENSIONS = (
+    b"GL_WIN_phong_shading GL_GLSIM_specular_lobe GL_GLSIM_back_lighting GL_ARB_depth_texture "
+    b"GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_point_parameters GL_ARB_shadow GL_ARB_texture_border_clamp "
+    b"GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar "
+    b"GL_ARB_texture_env_dot3 GL_ARB_texture_mirrored_repeat GL_ARB_transpose_matrix GL_ARB_vertex_buffer_object "
+    b"GL_ARB_window_pos GL_EXT_bgra GL_EXT_blend_color GL_EXT_blend_func_separate GL_EXT_blend_minmax "
+    b"GL_EXT_blend_subtract GL_EXT_draw_range_elements GL_EXT_fog_coord GL_EXT_multi_draw_arrays GL_EXT_packed_pixels "
+    b"GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color GL_EXT_stencil_wrap GL_EXT_texture3D "
+    b"GL_EXT_texture_lod_bias GL_SGIS_generate_mipmap GL_SGIS_texture_edge_clamp GL_SGIS_texture_lod"
+)
+
+
 def glGetString(m: Machine, name: int) -> bytes:
     """As bytes, like PyOpenGL."""
     info = m.device.describe()
@@ -328,5 +341,5 @@ def glGetString(m: Machine, name: int) -> bytes:
 
         return f"1.5 glsim {__version__} on OpenGL {info['version']}".encode()
     if name == gl.GL_EXTENSIONS:
-        return b"GL_WIN_phong_shading GL_GLSIM_specular_lobe GL_GLSIM_back_lighting"
+        return EXTENSIONS
     raise invalid_enum("name", name, "GL_VENDOR, GL_RENDERER, GL_VERSION or GL_EXTENSIONS")

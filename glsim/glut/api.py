@@ -233,6 +233,8 @@ def glutSwapBuffers() -> None:
     window = loop.current
     if window is not None:
         window.shown = window.picture()
+        if loop.on_swap is not None:
+            loop.on_swap(window)
 
 
 def glutPostRedisplay() -> None:

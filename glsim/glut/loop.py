@@ -89,6 +89,8 @@ class Loop:
         self.fixed_size: tuple[int, int] | None = None
         self.tick = TICK
         self.on_open: Callable[[Window], Any] | None = None
+        self.on_swap: Callable[[Window], Any] | None = None
+        self.text_keys = False  # keys as str, for programs of Python 2
         self.on_step: Callable[[Loop], Any] | None = None
         self.on_error: Callable[[str, Exception], Any] | None = None
         self.notes: list[str] = []
@@ -139,6 +141,8 @@ class Loop:
         if function is None or window.ident not in self.windows:
             return False
         self.choose(window)
+        if self.text_keys and kind in ("Keyboard", "KeyboardUp"):
+            arguments = (arguments[0].decode("latin-1"), *arguments[1:])
         self.call(kind.lower(), function, *arguments)
         return True
 

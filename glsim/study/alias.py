@@ -7,7 +7,7 @@ Modules that exist here stand in for OpenGL.GL, GLU, GLUT, error, arrays and a f
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from importlib import import_module
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
@@ -15,6 +15,8 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
+
+from glsim.machine.constants import Enum
 
 SUFFIXES = ("ARB", "EXT", "SGIS", "SGI", "NV", "ATI", "HP", "IBM", "WIN", "MESA", "APPLE")
 Wrap = Callable[[str, Any], Any]
@@ -47,8 +49,9 @@ class _Finder(MetaPathFinder, Loader):
         content = known() if known is not None else _extension(module.__name__)
         names = content.get("__all__")
         for name, value in content.items():
-            public = name.startswith(("gl", "glu", "glut")) and callable(value) and not isinstance(value, type)
-            module.__dict__[name] = self.wrap(name, value) if public else value
+            public = name.startswith(("gl", "glu", "glut")) and callable(value)
+            counted = public and not isinstance(value, (type, Later))
+            module.__dict__[name] = self.wrap(name, value) if counted else value
         if names is not None:
             module.__dict__["__all__"] = list(names)
 
@@ -62,10 +65,52 @@ def _library(which: str) -> dict[str, Any]:
             content["as_8_bit"] = _bytes()["as_8_bit"]
             content["__all__"] += ["as_8_bit"]
         return content
+    content.update({name: Later(name) for name in LATER.split()})
+    content.update({name: Enum(name, int(value)) for name, value in pairs(LATER_VALUES.split())})
+    content["__all__"] = [name for name in content if name != "__all__"]
     content.update(_errors())
     content["__all__"] += ["GLerror", "arrays"]
     content["arrays"] = import_module("OpenGL.arrays")
     return content
+
+
+class Later:
+    """A command of OpenGL 2 or later: false, so that programs can ask for it, and an error when it is called."""
+
+    def __init__(self, name: str) -> None:
+        self.__name__ = name
+
+    def __bool__(self) -> bool:
+        return False
+
+    def __call__(self, *arguments: Any, **named: Any) -> Any:
+        raise RuntimeError(f"{self.__name__} is OpenGL 2 or later; glsim emulates the fixed function of OpenGL 1.5")
+
+
+LATER = """
+glCreateShader glShaderSource glCompileShader glGetShaderiv glGetShaderInfoLog glDeleteShader glCreateProgram
+glAttachShader glDetachShader glLinkProgram glValidateProgram glGetProgramiv glGetProgramInfoLog glDeleteProgram
+glUseProgram glGetUniformLocation glGetAttribLocation glBindAttribLocation glUniform1f glUniform2f glUniform3f
+glUniform4f glUniform1i glUniform2i glUniform3i glUniform4i glUniform1fv glUniform2fv glUniform3fv glUniform4fv
+glUniformMatrix3fv glUniformMatrix4fv glVertexAttribPointer glEnableVertexAttribArray glDisableVertexAttribArray
+glVertexAttrib1f glVertexAttrib2f glVertexAttrib3f glVertexAttrib4f glDrawBuffers glBlendEquationSeparate
+glStencilFuncSeparate glStencilOpSeparate glStencilMaskSeparate glGenFramebuffers glBindFramebuffer
+glDeleteFramebuffers glFramebufferTexture2D glFramebufferRenderbuffer glCheckFramebufferStatus glGenRenderbuffers
+glBindRenderbuffer glDeleteRenderbuffers glRenderbufferStorage glGenerateMipmap glBlitFramebuffer glGenVertexArrays
+glBindVertexArray glDeleteVertexArrays glMapBufferRange glGetStringi glClampColor glTexBuffer glDrawArraysInstanced
+glDrawElementsInstanced glFenceSync
+"""
+LATER_VALUES = """
+GL_VERTEX_SHADER 35633 GL_FRAGMENT_SHADER 35632 GL_GEOMETRY_SHADER 36313 GL_COMPILE_STATUS 35713 GL_LINK_STATUS 35714
+GL_SHADING_LANGUAGE_VERSION 35724 GL_FRAMEBUFFER 36160 GL_RENDERBUFFER 36161 GL_COLOR_ATTACHMENT0 36064
+GL_DEPTH_ATTACHMENT 36096 GL_FRAMEBUFFER_COMPLETE 36053 GL_POINT_SPRITE 34913 GL_COORD_REPLACE 34914
+GL_VERTEX_PROGRAM_POINT_SIZE 34370 GL_RGBA32F 34836 GL_RGBA16F 34842 GL_RGB32F 34837 GL_MAX_TEXTURE_IMAGE_UNITS 34930
+GL_MAX_SAMPLES 36183 GL_DEPTH_STENCIL 34041 GL_DEPTH24_STENCIL8 35056 GL_PIXEL_PACK_BUFFER 35051 GL_RG 33319 GL_R8 33321
+"""
+
+
+def pairs(words: Sequence[str]) -> Iterator[tuple[str, str]]:
+    return zip(words[::2], words[1::2], strict=True)
 
 
 def _errors() -> dict[str, Any]:

@@ -25,9 +25,11 @@ from glsim.glut.screen import Screen, open_windows
 from glsim.glut.window import Window
 from glsim.machine.frame import Draw, Frame
 from glsim.study import alias, toolkits
-from glsim.study.python2 import ConversionError, converted, is_python_3
+from glsim.study.python2 import ConversionError, compiled, is_python_3, prepare
 
 MOST_ERRORS = 5  # a program that fails so often is stopped
+PATIENCE = 1.0  # seconds
+MONOTONIC = time.monotonic  # the time module may be replaced
 EPOCH = 1_000_000_000.0  # what time.time() says at the start, in seconds
 
 
@@ -68,6 +70,7 @@ class Player:
     def __init__(self, plan: Plan) -> None:
         self.plan, self.record = plan, Record()
         self.screen: Screen | None = None
+        self.saved = MONOTONIC()
         self.script = str(Path(plan.script).resolve())
 
     def play(self) -> Record:
@@ -82,6 +85,7 @@ class Player:
             np.random.seed(0)
         loop.events, loop.fixed_size = plan.events, plan.size
         loop.steps = None if plan.window and plan.frames == 1 else plan.frames
+        loop.on_swap = self._swapped
         loop.on_open, loop.on_step, loop.on_error = self._opened, self._after_step, self._failed
         toolkits.adopt(loop, plan.window)
         alias.install(self._counted if plan.count else None)
@@ -118,10 +122,12 @@ class Player:
     def _compiled(self) -> types.CodeType:
         source = Path(self.script).read_bytes()
         if self.plan.python2 and not is_python_3(source, self.script):
-            text = converted(source, self.script)
+            code = compiled(source, self.script)
+            prepare(os.path.dirname(self.script))
+            loop.text_keys = True
             self.record.notes.append("converted from Python 2 (--no-python2 switches that off)")
             print(f"glsim run: {self.plan.script} is Python 2: converted in memory", file=sys.stderr)
-            return compile(text, self.script, "exec")
+            return code
         return compile(source, self.script, "exec")
 
     # ------------------------------------------------------------ what the loop reports
@@ -151,13 +157,24 @@ class Player:
     def _opened(self, window: Window) -> None:
         window.screen.machine.change = reshaded(self.plan.shade, self.plan.lobe)
 
+    def _swapped(self, window: Window) -> None:
+        """Within a step that takes long, or never ends, pictures are kept now and then."""
+        now = MONOTONIC()
+        if now - self.saved > PATIENCE:
+            self.saved = now
+            if self.plan.out is not None and window.shown is not None and window is next(iter(loop.windows.values())):
+                name = f"frame_{loop.step:03d}.png"
+                self._keep(window.shown, name)
+                self.record.frames = max(self.record.frames, loop.step + 1)
+                self._report()
+
     def _after_step(self, played: Loop) -> None:
         for order, window in enumerate(played.windows.values()):
             if self.plan.out is not None and window.shown is not None:
                 suffix = "" if order == 0 else f"_w{order + 1}"
                 name = f"frame_{played.step - 1:03d}{suffix}.png"
-                self._save(window.shown, Path(self.plan.out) / name)
-                self.record.pictures.append(name)
+                self._keep(window.shown, name)
+        self.saved = MONOTONIC()
         if self.screen is not None:
             self.screen.after_step(played)
         self.record.frames = played.step
@@ -165,10 +182,12 @@ class Player:
         played.notes = []
         self._report()
 
-    def _save(self, picture: Any, path: Path) -> None:
+    def _keep(self, picture: Any, name: str) -> None:
         from PIL import Image
 
-        write_atomically(path, lambda name: Image.fromarray(picture).save(name))
+        write_atomically(Path(self.plan.out or ".") / name, lambda place: Image.fromarray(picture).save(place))
+        if name not in self.record.pictures:
+            self.record.pictures.append(name)
 
     def _finish(self) -> None:
         record = self.record

@@ -3,9 +3,17 @@
 from __future__ import annotations
 
 import ast
+import builtins
 import logging
+import os
+import string
+import sys
+import types
 import warnings
 from importlib import import_module
+from importlib.abc import Loader, MetaPathFinder
+from importlib.machinery import FileFinder, ModuleSpec, SourceFileLoader
+from numbers import Integral
 from typing import Any
 
 
@@ -17,10 +25,16 @@ def is_python_3(source: bytes, name: str) -> bool:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            ast.parse(source, name)
+            tree = ast.parse(source, name)
     except (SyntaxError, ValueError):
         return False
-    return True
+    return not any(map(_prints_to_a_file, ast.walk(tree)))
+
+
+def _prints_to_a_file(node: ast.AST) -> bool:
+    """``print >>log, text`` is Python 3 as well, but can mean nothing there."""
+    shifted = isinstance(node, ast.BinOp) and isinstance(node.op, ast.RShift)
+    return shifted and isinstance(node.left, ast.Name) and node.left.id == "print"  # type: ignore[attr-defined]
 
 
 def converted(source: bytes, name: str) -> str:
@@ -32,6 +46,108 @@ def converted(source: bytes, name: str) -> str:
         return str(driver(text + ("" if text.endswith("\n") else "\n"), name))
     except Exception as error:
         raise ConversionError(f"it is no Python 3, and as Python 2 it cannot be converted: {error}") from None
+
+
+def compiled(source: bytes, name: str) -> types.CodeType:
+    """The code of a program of Python 2, in which / of two integers gives an integer.  Raises ConversionError."""
+    tree = ast.parse(converted(source, name), name)
+    future = [node for node in tree.body if isinstance(node, ast.ImportFrom) and node.module == "__future__"]
+    if not any(alias.name == "division" for node in future for alias in node.names):
+        tree = ast.fix_missing_locations(_Division().visit(tree))
+    builtins.__dict__[DIVIDE] = divide
+    return compile(tree, name, "exec")
+
+
+DIVIDE = "_python_2_division"
+
+
+def divide(a: Any, b: Any) -> Any:
+    """a / b as Python 2 has it."""
+    if type(a) is float or type(b) is float:
+        return a / b
+    whole = all(isinstance(x, Integral) or getattr(getattr(x, "dtype", None), "kind", "") in ("i", "u") for x in (a, b))
+    return a // b if whole else a / b
+
+
+class _Division(ast.NodeTransformer):
+    """a / b -> divide(a, b)."""
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
+        self.generic_visit(node)
+        if not isinstance(node.op, ast.Div):
+            return node
+        return ast.copy_location(self._call(node.left, node.right), node)
+
+    def visit_AugAssign(self, node: ast.AugAssign) -> ast.AST:
+        self.generic_visit(node)
+        if not isinstance(node.op, ast.Div) or not isinstance(node.target, ast.Name):
+            return node
+        before = ast.copy_location(ast.Name(node.target.id, ast.Load()), node)
+        return ast.copy_location(ast.Assign([node.target], self._call(before, node.value)), node)
+
+    def _call(self, left: ast.expr, right: ast.expr) -> ast.Call:
+        return ast.Call(ast.Name(DIVIDE, ast.Load()), [left, right], [])
+
+
+# ---------------------------------------------------------------- what such programs import
+
+OLD_MODULES = {
+    "Image": "PIL.Image", "ImageDraw": "PIL.ImageDraw", "ImageFont": "PIL.ImageFont", "Numeric": "numpy",
+    "numarray": "numpy",
+}  # fmt: skip
+
+
+def prepare(folder: str) -> None:
+    """Modules beside the program are converted too, and what Python 2 had elsewhere is found again."""
+    loader = (_Loader, [".py"])
+    sys.path_hooks.insert(0, _only(folder, FileFinder.path_hook(loader)))
+    sys.path_importer_cache.pop(folder, None)
+    sys.meta_path.append(_OldModules())
+    for name in ("split", "join", "lower", "upper", "replace", "strip", "lstrip", "rstrip", "find", "count"):
+        if not hasattr(string, name):
+            setattr(string, name, getattr(str, name))
+    extra = {"join": lambda words, between=" ": between.join(words), "atoi": int, "atof": float}
+    for name, function in extra.items():
+        setattr(string, name, function)
+    string.letters = string.ascii_letters  # type: ignore[attr-defined]
+
+
+def _only(folder: str, hook: Any) -> Any:
+    def limited(path: str) -> Any:
+        if os.path.abspath(path) != folder:
+            raise ImportError
+        return hook(path)
+
+    return limited
+
+
+class _Loader(SourceFileLoader):
+    def source_to_code(self, data: Any, path: Any, *, _optimize: int = -1) -> Any:  # type: ignore[override]
+        source = bytes(data)
+        return compile(source, path, "exec") if is_python_3(source, str(path)) else compiled(source, str(path))
+
+    def cache_from_source(self, path: str) -> str:
+        raise NotImplementedError  # nothing is written beside the program
+
+
+class _OldModules(MetaPathFinder, Loader):
+    """``import Image`` gives PIL.Image."""
+
+    def find_spec(self, name: str, path: Any = None, target: Any = None) -> Any:
+        return ModuleSpec(name, self) if name in OLD_MODULES else None
+
+    def exec_module(self, module: types.ModuleType) -> None:
+        """Nothing is left to do."""
+
+    def create_module(self, spec: ModuleSpec) -> types.ModuleType:
+        name = spec.name
+        module: Any = import_module(OLD_MODULES[name])
+        if name == "Image":
+            module.Image.tostring = module.Image.tobytes
+            module.fromstring = module.frombytes
+        copy = types.ModuleType(name)
+        copy.__dict__.update({key: value for key, value in vars(module).items() if not key.startswith("__")})
+        return copy
 
 
 def _decodes(source: bytes, encoding: str) -> bool:

@@ -27,7 +27,7 @@ def events_from(keys: str, events: str) -> list[str]:
     from glsim.glut.loop import EVENTS
 
     listed = [f"key {key}" for key in keys] + [event.strip() for event in events.split(";") if event.strip()]
-    counts = {"special": 1, "mouse": 4, "motion": 2, "passive": 2, "menu": 1, "reshape": 2}
+    counts = {"key": 1, "special": 1, "mouse": 4, "motion": 2, "passive": 2, "menu": 1, "reshape": 2}
     for event in listed:
         kind, *words = event.split()
         numbers = words[: counts.get(kind, 0)]
@@ -35,7 +35,7 @@ def events_from(keys: str, events: str) -> list[str]:
             known = '"key a", "special 101", "mouse BUTTON STATE X Y", "motion X Y", "passive X Y", "menu VALUE"'
             raise ValueError(f'--events: events are {known}, "reshape W H" and "tick", not "{event}"')
         try:
-            list(map(int, numbers))
+            list(map(int, numbers if kind != "key" else ()))
         except ValueError:
             raise ValueError(f'--events: numbers are needed in "{event}"') from None
     return listed
@@ -49,9 +49,13 @@ def run(plan: Plan, timeout: float | None = 60.0) -> dict[str, Any]:
     not there, KeyboardInterrupt after the child was stopped.
     """
     if not Path(plan.script).is_file():
-        raise FileNotFoundError(f"{plan.script}: there is no such file")
+        what = "is a folder; name a Python program" if Path(plan.script).is_dir() else "there is no such file"
+        raise FileNotFoundError(f"{plan.script}: {what}")
     if plan.out is not None:
-        Path(plan.out).mkdir(parents=True, exist_ok=True)
+        try:
+            Path(plan.out).mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise OSError(f"--out {plan.out}: the folder cannot be made: {error.strerror}") from None
     with tempfile.TemporaryDirectory(prefix="glsim-") as folder:
         result = os.path.join(folder, "result.json")
         words = json.dumps(asdict(replace(plan, script=os.path.abspath(plan.script), result=result,
