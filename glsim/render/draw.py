@@ -6,6 +6,7 @@ import ctypes
 import math
 import weakref
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from itertools import groupby
 from typing import Any
 
@@ -105,10 +106,11 @@ class Source:
         if data.nbytes:
             buffer.write(data)
 
-    def fill(self, vertices: Vertices, program: moderngl.Program, busy: bool) -> None:
-        """Write the columns that the program reads and that are not there yet."""
-        for name, (_, column) in INPUTS.items():
-            if name in program and column not in self.columns:
+    def fill(self, vertices: Vertices, inputs: Sequence[str], busy: bool) -> None:
+        """Write the columns that a program with these inputs reads and that are not there yet."""
+        for name in inputs:
+            column = INPUTS[name][1]
+            if column not in self.columns:
                 self.write(name, vertices.column(column), busy)
                 self.columns.add(column)
 
@@ -137,12 +139,13 @@ class Renderer:
         ctx.gc_mode = "context_gc"  # buffers of lists that are gone are released when the context is current
         self.limit = min(ctx.info["GL_MAX_UNIFORM_BLOCK_SIZE"], 65536) // ROW_SIZE
         self.programs: dict[ProgramKey, moderngl.Program] = {}
+        self.inputs: dict[ProgramKey, list[str]] = {}  # those of INPUTS that the program reads
         self.stream = Source(ctx)
         self.static: weakref.WeakKeyDictionary[Vertices, Source] = weakref.WeakKeyDictionary()
         self.uniforms = {name: ctx.buffer(reserve=1024, dynamic=True) for name in BINDINGS}
         self.textures = Textures(raw)
         self.numbers = np.arange(self.limit, dtype=np.uint32)
-        self.uploaded_lights: Lighting | None = None
+        self.uploaded_lights: tuple[Any, ...] = ()
         self.uploaded_raster: tuple[Any, ...] = ()
         self.uploaded_texturing: tuple[Any, ...] = ()
         self.size = size
@@ -296,7 +299,7 @@ class Renderer:
         for name, size in SHARED.items():
             self.uniforms[name].bind_to_uniform_block(BINDINGS[name], size=size)
         program = self.program(key)
-        source.fill(batch.vertices, program, self.busy)
+        source.fill(batch.vertices, self.inputs[key], self.busy)
         array = source.vertex_array(key, program, "/i" if part.instances else "/v")
         mode = moderngl.TRIANGLES if wide else PRIMITIVES[batch.corners]
         array.render(mode, vertices=batch.count, first=batch.start, instances=batch.objects if part.instances else 1)
@@ -305,7 +308,8 @@ class Renderer:
 
     def program(self, key: ProgramKey) -> moderngl.Program:
         if key not in self.programs:
-            self.programs[key] = build(self.ctx, key)
+            program = self.programs[key] = build(self.ctx, key)
+            self.inputs[key] = [name for name in INPUTS if name in program]
         return self.programs[key]
 
     def _streamed(self, part: Plan) -> Source:
@@ -338,9 +342,10 @@ class Renderer:
         buffer.write(data)
 
     def _upload_lights(self, lighting: Lighting) -> None:
-        if lighting is not self.uploaded_lights:
+        groups = lighting.lights, lighting.ambient
+        if groups != self.uploaded_lights:
             self._write("Lights", lights(lighting))
-            self.uploaded_lights = lighting
+            self.uploaded_lights = groups
 
     def _upload_raster(self, state: Snapshot, origin: tuple[int, int]) -> None:
         groups = (
@@ -500,6 +505,7 @@ def lights(lighting: Lighting) -> NDArray[np.float32]:
     return block
 
 
+@lru_cache(maxsize=256)
 def _light(light: Light) -> list[float]:
     x, y, z, w = light.position
     position = (x / w, y / w, z / w) if w else _unit((x, y, z))

@@ -2,7 +2,7 @@
 
 Needs an interpreter with PyOpenGL >= 3.1.10, freeglut and a display (Xvfb will do), and with glsim's dependencies.
 The program's callbacks are called by the same few lines in both: reshape once, then timer, idle and display, each frame
-ended by glFinish.  Implementations take turns, each in a process of its own; the median frame is printed, with the ratio.
+ended by glFinish.  Implementations take turns, each in a process of its own; the median frame is printed.
 """
 
 from __future__ import annotations
