@@ -12,7 +12,6 @@ from glsim.glut.constants import NAMES
 from glsim.glut.loop import SCREEN, FinishedError, loop
 from glsim.glut.window import Window
 
-globals().update(NAMES)
 DEFAULT_SIZE = (300, 300)
 JOIN_DOTS = 0x0206  # GLUT_STROKE_FONT_DRAW_JOIN_DOTS
 

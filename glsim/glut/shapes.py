@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim import gl
+from glsim.machine.assembly import assemble
 
 Array = NDArray[np.float32]
 Indices = NDArray[np.int64]
@@ -56,6 +57,14 @@ def _geometry(vertices: Array, normals: Array, *pieces: tuple[int, Indices], tex
     return Geometry(drawn[0], drawn[1], drawn[2], parts)  # type: ignore[arg-type]
 
 
+@lru_cache(maxsize=128)
+def _triangles(first: int, strips: int, size: int) -> NDArray[np.uint32]:
+    """The triangles of triangle strips of ``size`` vertices each, in their order: one call instead of many."""
+    pattern = assemble(gl.GL_TRIANGLE_STRIP, size, last=False)
+    assert pattern is not None
+    return (first + size * np.arange(strips, dtype=np.uint32)[:, None] + pattern).astype(np.uint32).ravel()
+
+
 def _draw(shape: Geometry) -> None:
     """As freeglut: the vertex arrays are enabled before and disabled after, the current normal stays."""
     buffer = gl.glGetIntegerv(gl.GL_ARRAY_BUFFER_BINDING)
@@ -70,6 +79,11 @@ def _draw(shape: Geometry) -> None:
         gl.glTexCoordPointer(2, gl.GL_FLOAT, 0, shape.texture)
     first = 0
     for mode, pieces, size in shape.parts:
+        if mode == gl.GL_TRIANGLE_STRIP and pieces > 1:
+            triangles = _triangles(first, pieces, size)
+            gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+            first += pieces * size
+            continue
         for _ in range(pieces):
             gl.glDrawArrays(mode, first, size)
             first += size
