@@ -142,3 +142,27 @@ def test_bad_queries(screen: glsim.Offscreen) -> None:
     assert glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY) == 5
     with pytest.raises(GLError, match="no query that has ended"):
         glGetQueryObjectiv(5, GL_QUERY_RESULT)
+
+
+def test_lists_keep_what_was_in_the_buffers(screen: glsim.Offscreen) -> None:
+    """Arrays are copied when a list is compiled, also out of buffer objects (section 5.4)."""
+    vertices, indices = int(glGenBuffers(1)), int(glGenBuffers(1))
+    glBindBuffer(GL_ARRAY_BUFFER, vertices)
+    glBufferData(GL_ARRAY_BUFFER, CORNERS, GL_STATIC_DRAW)
+    glVertexPointer(3, GL_FLOAT, 0, ctypes.c_void_p(0))
+    glEnableClientState(GL_VERTEX_ARRAY)
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices)
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, np.array([9, 0, 1, 2, 3], np.uint16), GL_STATIC_DRAW)
+    glNewList(1, GL_COMPILE)
+    glDrawArrays(GL_QUADS, 0, 4)
+    glEndList()
+    glNewList(2, GL_COMPILE_AND_EXECUTE)
+    glDrawElements(GL_QUADS, 4, GL_UNSIGNED_SHORT, ctypes.c_void_p(2))
+    glEndList()
+    assert screen.pixels().any(axis=2).sum() == 64 * 64
+    glDeleteBuffers(2, [vertices, indices])
+    for number in (1, 2):
+        glClear(GL_COLOR_BUFFER_BIT)
+        assert not screen.pixels().any()
+        glCallList(number)
+        assert screen.pixels().any(axis=2).sum() == 64 * 64

@@ -36,6 +36,7 @@ from glsim.machine.constants import (
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
 from glsim.machine.frame import ROW, ROW_BYTES, Draw, Vertices
 from glsim.machine.machine import Machine
+from glsim.machine.pixels import as_unit
 from glsim.machine.state import TEXTURE_UNITS
 from glsim.machine.types import DTYPES
 
@@ -229,12 +230,8 @@ def elements(m: Machine, pointer: Pointer, first: int, count: int) -> NDArray[An
 
 
 def as_colour(values: NDArray[Any]) -> NDArray[Any]:
-    """Integers map linearly onto [0, 1] or [-1, 1] (table 2.9); floats stay."""
-    kind = values.dtype.kind
-    if kind == "f":
-        return values
-    scale = 2.0 ** (8 * values.dtype.itemsize) - 1.0
-    return values / scale if kind == "u" else (2.0 * values + 1.0) / scale
+    """Integers map linearly onto [0, 1] or [-1, 1]; floats stay, uncopied."""
+    return values if values.dtype.kind == "f" else as_unit(values)
 
 
 # client array -> column of frame.COLUMNS, components, values that fill what the array lacks
@@ -353,7 +350,7 @@ def glDrawElements(m: Machine, mode: int, count: int, type: int, indices: Any) -
         raise invalid_enum("type", type, "GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT")
     dtype = DTYPES[type]
     numbers: NDArray[Any]
-    if m.element_buffer:
+    if m.element_buffer and not isinstance(indices, bytes):  # bytes: from a display list
         start, size = offset_from(indices), count * np.dtype(dtype).itemsize
         numbers = np.frombuffer(m.buffers[m.element_buffer].data[start : start + size].tobytes(), dtype)
     else:

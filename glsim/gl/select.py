@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.gl.stage import vertex_stage, window
-from glsim.machine.assembly import complete, corners, outlines
+from glsim.machine.assembly import complete, corners, counterclockwise, outlines
 from glsim.machine.constants import (
     GL_2D,
     GL_3D,
@@ -332,9 +332,8 @@ def _distances(draw: Draw, clip: Float, eye: Float) -> Float:
 
 
 def _front(clip: Float, ccw: bool) -> bool:
-    """Whether a polygon shows its front: the sign of its area (equation 3.7)."""
-    area = sum(np.linalg.det(clip[[0, k, k + 1]][:, [0, 1, 3]]) for k in range(1, len(clip) - 1))
-    return bool((area > 0) == ccw)
+    """Whether a polygon (k, 4) shows its front."""
+    return bool(counterclockwise(clip[None])[0] == ccw)
 
 
 def _culled(draw: Draw, front: bool) -> bool:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from glsim.gl.immediate import row
+from glsim.gl.texenv import unit_number
 from glsim.machine.assembly import MINIMUM
-from glsim.machine.constants import GL_POLYGON, GL_TEXTURE0
+from glsim.machine.constants import GL_POLYGON
 from glsim.machine.errors import invalid_enum, invalid_operation
 from glsim.machine.machine import Machine
-from glsim.machine.state import TEXTURE_UNITS
 
 
 def glBegin(m: Machine, mode: int) -> None:
@@ -35,10 +35,7 @@ def glSecondaryColor(m: Machine, red: float, green: float, blue: float) -> None:
 
 
 def glMultiTexCoord(m: Machine, target: int, s: float, t: float = 0.0, r: float = 0.0, q: float = 1.0) -> None:
-    unit = target - GL_TEXTURE0
-    if not 0 <= unit < TEXTURE_UNITS:
-        raise invalid_enum("target", target, f"GL_TEXTURE0 to GL_TEXTURE{TEXTURE_UNITS - 1}")
-    m.set_current(f"texcoord{unit}", (float(s), float(t), float(r), float(q)))
+    m.set_current(f"texcoord{unit_number(target, 'target')}", (float(s), float(t), float(r), float(q)))
 
 
 def glFogCoord(m: Machine, coord: float) -> None:

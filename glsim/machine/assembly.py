@@ -118,6 +118,16 @@ def outlines(mode: int, count: int) -> tuple[Indices, Indices]:
     return rings, rings[:, 2]
 
 
+def counterclockwise(clip: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Which polygons (n, k, 4) in clip coordinates turn counterclockwise on the screen: the sign of the area of their
+    visible part (equation 3.7)."""
+    xyw = clip[..., [0, 1, 3]]
+    area = np.zeros(len(xyw))
+    for k in range(1, xyw.shape[1] - 1):
+        area += np.linalg.det(xyw[:, [0, k, k + 1]])
+    return area > 0
+
+
 def _pack(*columns: Indices) -> Indices:
     indices = np.stack(columns, axis=1).ravel()
     indices.flags.writeable = False  # shared through the cache

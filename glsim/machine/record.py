@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from ctypes import c_void_p
 from typing import Any
 
 import numpy as np
@@ -58,10 +59,10 @@ class ListRecorder:
         if name in NEVER_LISTED:
             return self._perform(name, arguments)
         if name in ARRAY_CALLS:
-            self.clients[len(self.calls)] = copied(self.machine.client)
+            self.clients[len(self.calls)] = copied(self.machine)
         if name in PIXEL_CALLS:
             self.stores[len(self.calls)] = self.machine.unpack_store
-        self.calls.append((name, arguments))
+        self.calls.append((name, with_indices(self.machine, name, arguments)))
         return self._perform(name, arguments) if self.execute else None
 
     def _perform(self, name: str, arguments: tuple[Any, ...]) -> Any:
@@ -81,15 +82,26 @@ ARRAY_CALLS = {
 }  # fmt: skip
 
 
-def copied(client: dict[Any, Any]) -> dict[Any, Any]:
-    """Client state whose enabled arrays the program cannot change any more."""
+def copied(machine: Machine) -> dict[Any, Any]:
+    """Client state whose enabled arrays, in memory or in buffer objects, the program cannot change any more."""
 
     def keep(state: Any) -> Any:
-        if not state.enabled or state.pointer.data is None:  # buffer objects: see Client
+        pointer = state.pointer
+        buffer = machine.buffers.get(pointer.buffer)
+        data = buffer.data[max(pointer.offset, 0) :] if buffer is not None else pointer.data
+        if not state.enabled or data is None:
             return state
-        return state._replace(pointer=state.pointer._replace(data=np.array(state.pointer.data)))
+        return state._replace(pointer=pointer._replace(data=np.array(data), buffer=0, offset=0))
 
-    return {array: keep(state) for array, state in client.items()}
+    return {array: keep(state) for array, state in machine.client.items()}
+
+
+def with_indices(machine: Machine, name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The arguments of glDrawElements with the indices themselves, if they lie in a buffer object."""
+    if not machine.element_buffer or name not in ("glDrawElements", "glDrawRangeElements"):
+        return arguments
+    memory = machine.buffers[machine.element_buffer].data
+    return (*arguments[:-1], memory[arguments[-1] or 0 :].tobytes())
 
 
 def frozen(argument: Any) -> Any:
@@ -99,4 +111,6 @@ def frozen(argument: Any) -> Any:
         return tuple(argument) if plain else tuple(map(frozen, argument))
     if isinstance(argument, (int, float, str, bytes, tuple)) or argument is None:
         return argument
+    if isinstance(argument, c_void_p):  # an offset into a buffer object
+        return argument.value or 0
     return np.array(argument)

@@ -12,7 +12,7 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.assembly import corners, outlines
+from glsim.machine.assembly import corners, counterclockwise, outlines
 from glsim.machine.constants import (
     GL_BACK,
     GL_CCW,
@@ -178,12 +178,9 @@ def _runs(state: Snapshot, front: NDArray[np.bool_]) -> Iterator[tuple[int, int]
 
 
 def facing(draw: Draw, rings: NDArray[np.uint32]) -> NDArray[np.bool_]:
-    """Which polygons (n, k) show their front: the sign of the area of their visible part (equation 3.7)."""
-    clip = clip_positions(draw, rings.ravel()).reshape(*rings.shape, 4)[..., [0, 1, 3]]
-    area = sum(
-        np.linalg.det(np.stack([clip[:, 0], clip[:, k], clip[:, k + 1]], axis=1)) for k in range(1, rings.shape[1] - 1)
-    )
-    return np.equal(np.asarray(area) > 0, draw.state.polygon.front_face == GL_CCW)
+    """Which polygons (n, k) show their front."""
+    clip = clip_positions(draw, rings.ravel()).reshape(*rings.shape, 4)
+    return np.equal(counterclockwise(clip), draw.state.polygon.front_face == GL_CCW)
 
 
 def _face(draw: Draw, rings: NDArray[np.uint32], provoking: NDArray[np.uint32], mode: int, front: bool) -> Draw:
