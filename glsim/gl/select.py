@@ -331,11 +331,6 @@ def _distances(draw: Draw, clip: Float, eye: Float) -> Float:
     return np.stack(planes, axis=1)
 
 
-def _front(clip: Float, ccw: bool) -> bool:
-    """Whether a polygon (k, 4) shows its front."""
-    return bool(counterclockwise(clip[None])[0] == ccw)
-
-
 def _culled(draw: Draw, front: bool) -> bool:
     polygon = draw.state.polygon
     return polygon.cull and polygon.cull_face not in (GL_BACK if front else GL_FRONT,)
@@ -370,19 +365,18 @@ def select(selection: Selection, draw: Draw) -> None:
     if not len(shapes):
         return
     chosen, places = np.unique(shapes, return_inverse=True)
-    stage = vertex_stage(draw, chosen.astype(np.uint32), 0)
+    stage = vertex_stage(draw, chosen.astype(np.uint32), 0, colors=False)
     distances = _distances(draw, stage.clip, stage.eye)
     places = places.reshape(shapes.shape)
     outside = np.less(distances[places], 0.0)  # (primitives, corners, planes)
     whole: NDArray[np.bool_] = np.logical_not(np.any(outside, axis=(1, 2)))
     partly: NDArray[np.bool_] = np.logical_not(np.any(np.all(outside, axis=1), axis=1)) & ~whole
     depth = window(stage.clip, draw.state.viewport)[:, 2]
-    ccw = draw.state.polygon.front_face == GL_CCW
     kind = corners(draw.mode)
     if kind == 3 and draw.state.polygon.cull:
-        for k in np.flatnonzero(whole | partly):
-            if _culled(draw, _front(stage.clip[places[k]], ccw)):
-                whole[k] = partly[k] = False
+        front = np.equal(counterclockwise(stage.clip[places]), draw.state.polygon.front_face == GL_CCW)
+        culled = np.where(front, _culled(draw, True), _culled(draw, False))
+        whole, partly = whole & ~culled, partly & ~culled
     if whole.any():
         seen = depth[places[whole]]
         selection.note(float(seen.min()), float(seen.max()))
@@ -427,9 +421,12 @@ def _primitives(draw: Draw) -> Iterator[Primitive]:
     distances = _distances(draw, stage.clip, stage.eye)
     kind, polygon = corners(draw.mode), draw.state.polygon
     flat = draw.state.lighting.shade_model == GL_FLAT
+    fronts = np.ones(len(shapes), bool)
     rings, last = places[: shapes.size].reshape(shapes.shape), places[shapes.size :]
+    if kind == 3:
+        fronts = np.equal(counterclockwise(stage.clip[rings]), polygon.front_face == GL_CCW)
     for number, (ring, provoker) in enumerate(zip(rings, last, strict=True)):
-        front = kind < 3 or _front(stage.clip[ring], polygon.front_face == GL_CCW)
+        front = bool(fronts[number])
         if kind == 3 and _culled(draw, front):
             continue
         colors = stage.front if front else stage.back

@@ -50,8 +50,9 @@ class Stage(NamedTuple):
 
 
 @np.errstate(all="ignore")  # what is no number stays none, as on the GPU
-def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int = 1) -> Stage:
-    """The vertices ``chosen`` (numbers in the draw's block) as the GPU would have them."""
+def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int, colors: bool = True) -> Stage:
+    """The vertices ``chosen`` (numbers in the draw's block) as the GPU would have them, with the texture coordinates of
+    the first ``units`` units; without ``colors`` they are not lit."""
     block, state = draw.block, draw.state
     modelview, projection, *textures = (matrix.get().astype(np.float64) for matrix in draw.matrices)
     P = np.ones((len(chosen), 4))
@@ -63,7 +64,7 @@ def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int = 1) -> Stag
     N = _normals(draw, block.rows[chosen, 3:6].astype(np.float64), modelview)
     front = back = np.clip(color, 0.0, 1.0)
     highlight = np.zeros((len(chosen), 3))
-    if state.lighting.enabled:
+    if state.lighting.enabled and colors:
         point = eye[:, :3] / eye[:, 3:]
         front, highlight = _lit(draw, chosen, GL_FRONT, N, point, color)
         back = _lit(draw, chosen, GL_BACK, -N, point, color)[0] if state.lighting.two_side else front

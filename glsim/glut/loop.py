@@ -182,6 +182,10 @@ class Loop:
                 if not self.fire(window, "Display") and first:
                     self.notes.append(f"window {window.ident} has no display function")
         self._show()
+        self.end_step()
+
+    def end_step(self) -> None:
+        """Report the step.  Raises FinishedError after the last one."""
         self.step += 1
         if self.on_step is not None:
             self.on_step(self)

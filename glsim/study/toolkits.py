@@ -13,9 +13,10 @@ from importlib.util import find_spec
 from typing import Any
 
 from glsim.glut.constants import NAMES
-from glsim.glut.loop import FinishedError, Loop
+from glsim.glut.loop import Loop
 from glsim.glut.window import Window
 
+WINDOW = "--window is for programs that open their window with GLUT; run one of pygame or glfw without it"
 DOUBLE = int(NAMES["GLUT_DOUBLE"])
 
 
@@ -24,7 +25,10 @@ def adopt(loop: Loop, real_windows: bool) -> None:
     if not real_windows:
         os.environ["SDL_VIDEODRIVER"] = os.environ["SDL_AUDIODRIVER"] = "dummy"
         os.environ["PYGAME_HIDE_SUPPORT_PROMPT"] = "1"
-    sys.meta_path.insert(0, _Watcher({"pygame": lambda m: _Pygame(loop, m), "glfw": lambda m: _Glfw(loop, m)}))
+    sys.meta_path.insert(
+        0,
+        _Watcher({"pygame": lambda m: _Pygame(loop, m, real_windows), "glfw": lambda m: _Glfw(loop, m, real_windows)}),
+    )
 
 
 class _Watcher:
@@ -53,11 +57,7 @@ class _Watcher:
 def swap(loop: Loop, window: Window, deliver: Callable[[list[str]], None]) -> None:
     """A swap of buffers ends a step."""
     window.shown = window.picture()
-    loop.step += 1
-    if loop.on_step is not None:
-        loop.on_step(loop)
-    if loop.steps is not None and loop.step >= max(loop.steps, 1 + len(loop.events)):
-        raise FinishedError
+    loop.end_step()
     loop.clock.advance(loop.tick)
     if loop.step <= len(loop.events):
         deliver(loop.events[loop.step - 1].split())
@@ -67,8 +67,9 @@ def swap(loop: Loop, window: Window, deliver: Callable[[list[str]], None]) -> No
 
 
 class _Pygame:
-    def __init__(self, loop: Loop, pygame: Any) -> None:
+    def __init__(self, loop: Loop, pygame: Any, real_windows: bool) -> None:
         self.loop, self.pygame, self.window = loop, pygame, None
+        self.real_windows = real_windows
         display = pygame.display
         self.set_mode, self.flip = display.set_mode, display.flip
         display.set_mode, display.flip, display.update = self._set_mode, self._flip, self._flip
@@ -83,6 +84,8 @@ class _Pygame:
         pygame = self.pygame
         if not flags & pygame.OPENGL:
             return self.set_mode(size, flags, *rest, **named)
+        if self.real_windows:
+            raise RuntimeError(WINDOW)
         width, height = self.loop.fixed_size or (size if size and size[0] else (640, 480))
         named.pop("vsync", None)
         surface = self.set_mode((width, height), flags & ~(pygame.OPENGL | pygame.DOUBLEBUF), *rest, **named)
@@ -157,8 +160,8 @@ class _Clock:
 class _Glfw:
     """The functions of glfw that make windows, without a display."""
 
-    def __init__(self, loop: Loop, glfw: Any) -> None:
-        self.loop, self.glfw = loop, glfw
+    def __init__(self, loop: Loop, glfw: Any, real_windows: bool) -> None:
+        self.loop, self.glfw, self.real_windows = loop, glfw, real_windows
         self.closing: set[int] = set()
         self.listeners: dict[str, Callable[..., Any]] = {}
         self.waiting: list[str] = []
@@ -187,6 +190,8 @@ class _Glfw:
         return register
 
     def create_window(self, width: int, height: int, title: str, monitor: Any = None, share: Any = None) -> int:
+        if self.real_windows:
+            raise RuntimeError(WINDOW)
         return self.loop.open(str(title), (0, 0), (int(width), int(height)), DOUBLE, None)
 
     def destroy_window(self, window: int) -> None:
