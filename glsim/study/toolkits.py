@@ -25,6 +25,7 @@ def adopt(loop: Loop, real_windows: bool) -> None:
     if not real_windows:
         os.environ["SDL_VIDEODRIVER"] = os.environ["SDL_AUDIODRIVER"] = "dummy"
         os.environ["PYGAME_HIDE_SUPPORT_PROMPT"] = "1"
+    sys.modules.pop("glfw", None)  # the screen keeps its own glfw; the program gets another
     sys.meta_path.insert(
         0,
         _Watcher({"pygame": lambda m: _Pygame(loop, m, real_windows), "glfw": lambda m: _Glfw(loop, m, real_windows)}),
