@@ -73,3 +73,14 @@ def test_smooth_points_are_discs(screen: glsim.Offscreen) -> None:
     covered = screen.pixels()[..., 0] / 255.0
     assert covered.sum() == pytest.approx(np.pi * (21.5 / 2) ** 2, rel=0.01)
     assert 0.0 < covered[covered > 0].min() < 0.5
+
+
+def test_a_shininess_of_0_is_a_highlight_wherever_there_is_light(screen: glsim.Offscreen) -> None:
+    """Equation 2.5: max(N.H, 0)^0 is 1; in Mesa it is 0 where N.H < 0, and other numbers where light is attenuated."""
+    lit()
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, [0, 0, 0, 1])
+    glMaterialfv(GL_FRONT, GL_SPECULAR, [0.2, 0.4, 0.6, 1])
+    glLightfv(GL_LIGHT0, GL_POSITION, [0.8, 0, -0.6, 0])
+    glNormal3f(0.1, 0, -1)  # N.L > 0 and N.H < 0
+    glRectf(-1, -1, 1, 1)
+    assert screen.pixels()[64, 64, :3].tolist() == [51, 102, 153]

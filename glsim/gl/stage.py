@@ -5,6 +5,7 @@ The same steps as in shaders/main.vert, in float64.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -27,8 +28,8 @@ from glsim.machine.constants import (
     GL_SPHERE_MAP,
 )
 from glsim.machine.frame import Draw
-from glsim.machine.state import Face, Light, Lighting, TextureUnit, Viewport
-from glsim.shading.terms import dot
+from glsim.machine.state import Face, Lighting, Material, TextureUnit, Viewport
+from glsim.shading import Illumination, Surface, dot
 
 Float = NDArray[np.float64]
 TRACKED: dict[int, tuple[str, ...]] = {
@@ -108,56 +109,49 @@ def window(clip: Float, viewport: Viewport) -> Float:
 
 def _lit(draw: Draw, chosen: NDArray[np.uint32], side: int, N: Float, P: Float, color: Float) -> tuple[Float, Float]:
     """Colour (n, 4) and separate highlight (n, 3) of one side, clamped to [0, 1]."""
-    result, highlight = np.zeros((len(chosen), 4)), np.zeros((len(chosen), 3))
-    materials = draw.materials_at(chosen)
-    for material in dict.fromkeys(materials):
-        at = np.array([other is material or other == material for other in materials])
-        face = material.front if side == GL_FRONT else material.back
-        result[at], highlight[at] = illuminate(draw.state.lighting, side, face, N[at], P[at], color[at])
-    return result, highlight
+    lighting = draw.state.lighting
+    terms, alpha = illumination(lighting, side, draw.materials_at(chosen), N, P, color)
+    return shown(lighting, terms, alpha)
 
 
-def illuminate(lighting: Lighting, side: int, face: Face, N: Float, P: Float, color: Float) -> tuple[Float, Float]:
-    """Equation 2.5 of OpenGL 1.5, for points P (n, 3) with normals N (n, 3) in eye space and current colours (n, 4)."""
-    reflectances = {name: np.asarray([getattr(face, name)] * len(P)) for name in face._fields[:4]}
+def surface(lighting: Lighting, side: int, materials: Sequence[Material], color: Float) -> tuple[Surface, Float]:
+    """One side of the materials of points, with what glColorMaterial takes from their current colours (n, 4); alpha."""
+    different = {id(material): material for material in materials}
+    faces = [m.front if side == GL_FRONT else m.back for m in different.values()]
+    numbers = {key: number for number, key in enumerate(different)}
+    at = np.array([numbers[id(material)] for material in materials], int)
+    columns = {name: np.array([getattr(face, name) for face in faces], np.float64)[at] for name in Face._fields}
     if lighting.color_material and lighting.color_material_face not in (GL_BACK if side == GL_FRONT else GL_FRONT,):
         for name in TRACKED.get(lighting.color_material_mode, ("emission",)):
-            reflectances[name] = color
-    k_a, k_d, k_s = (reflectances[name][:, :3] for name in ("ambient", "diffuse", "specular"))
-    V = shading.normalize(-P) if lighting.local_viewer else np.array([0.0, 0.0, 1.0])
-    total = reflectances["emission"][:, :3] + k_a * lighting.ambient[:3]
-    highlight = np.zeros_like(total)
-    lobe = shading.phong_specular if lighting.lobe == GL_PHONG_LOBE_GLSIM else shading.blinn_torrance_specular
-    for light, enabled in zip(lighting.lights, lighting.light_enabled, strict=True):
-        if not enabled:
-            continue
-        L, strength = _towards(light, P)
-        turned = N
-        if lighting.back_lighting == GL_FLIP_NORMAL_GLSIM:
-            turned = np.where(dot(N, L) < 0.0, -N, N)
-        N_L = dot(turned, L)
-        total = total + strength * (k_a * light.ambient[:3] + k_d * light.diffuse[:3] * np.maximum(N_L, 0.0))
-        shine = np.where(N_L > 0.0, lobe(turned, L, V, face.shininess), 0.0)
-        highlight = highlight + strength * k_s * light.specular[:3] * shine
+            columns[name] = color
+    k_a, k_d, k_s, emission = (columns[name][:, :3] for name in Face._fields[:4])
+    return Surface(k_a, k_d, k_s, emission, columns["shininess"][:, None]), columns["diffuse"][:, 3:]
+
+
+def illumination(
+    lighting: Lighting, side: int, materials: Sequence[Material], N: Float, P: Float, color: Float
+) -> tuple[Illumination, Float]:
+    """All terms at points P (n, 3) with normals N (n, 3) in eye space and current colours (n, 4); alpha (n, 1)."""
+    face, alpha = surface(lighting, side, materials, color)
+    terms = shading.illuminate(
+        face,
+        [light for light, enabled in zip(lighting.lights, lighting.light_enabled, strict=True) if enabled],
+        N,
+        P,
+        scene_ambient=lighting.ambient[:3],
+        local_viewer=lighting.local_viewer,
+        lobe="phong" if lighting.lobe == GL_PHONG_LOBE_GLSIM else "blinn",
+        flip=lighting.back_lighting == GL_FLIP_NORMAL_GLSIM,
+    )
+    return terms, alpha
+
+
+def shown(lighting: Lighting, terms: Illumination, alpha: Float) -> tuple[Float, Float]:
+    """The sum as colour (n, 4) and, with GL_SEPARATE_SPECULAR_COLOR, highlight (n, 3), both clamped to [0, 1]."""
+    color, highlight = terms.color, terms.highlight
     if lighting.color_control != GL_SEPARATE_SPECULAR_COLOR:
-        total, highlight = total + highlight, np.zeros_like(highlight)
-    alpha = reflectances["diffuse"][:, 3:]
-    return np.clip(np.concatenate([total, alpha], axis=1), 0.0, 1.0), np.clip(highlight, 0.0, 1.0)
-
-
-def _towards(light: Light, P: Float) -> tuple[Float, Float]:
-    """Unit vectors to the light (n, 3), and attenuation times spotlight (n, 1)."""
-    position = np.array(light.position[:3])
-    w = light.position[3]
-    if w == 0.0:
-        L, strength = np.broadcast_to(shading.normalize(position), P.shape), np.ones((len(P), 1))
-    else:
-        towards = position / w - P
-        L = shading.normalize(towards)
-        factors = light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation
-        strength = shading.attenuation(np.sqrt(dot(towards, towards)), *factors)
-    direction = shading.normalize(light.spot_direction)
-    return L, strength * shading.spotlight(L, direction, light.spot_cutoff, light.spot_exponent)
+        color, highlight = color + highlight, np.zeros_like(highlight)
+    return shading.clamp(np.concatenate([color, alpha], axis=1)), shading.clamp(highlight)
 
 
 # ---------------------------------------------------------------- texture coordinates

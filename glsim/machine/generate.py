@@ -194,6 +194,7 @@ Where Mesa 22.3.6 and the specification of OpenGL 1.5 disagree, glsim does what 
 - Normal arrays of GL_BYTE map by OpenGL 4.2's rule c / 127.
 - Smooth points are hard discs; smooth lines get thinner with perspective; GL_LINE_RESET_TOKEN never comes.
 - Bitmaps are not fogged, overlapping bitmaps blend once, and textured ones take the last raster position's coordinates.
+- A shininess of 0 gives a highlight wherever there is light; Mesa drops it where N.H < 0 and for attenuated lights.
 - glDrawPixels with GL_MAP_COLOR gets blue by none of the maps, and looks up other entries than the rounded ones;
   GL_INDEX_SHIFT has no effect on it.
 

@@ -38,6 +38,11 @@ def reflection(N: ArrayLike, L: ArrayLike) -> Float:
     return projected + S
 
 
+def halfway(L: ArrayLike, V: ArrayLike) -> Float:
+    """The unit vector halfway between L and V: H = (L + V) / |L + V|.  Unit vectors (..., 3); 0 where V = -L."""
+    return normalize(np.asarray(L, np.float64) + np.asarray(V, np.float64))
+
+
 def phong_specular(N: ArrayLike, L: ArrayLike, V: ArrayLike, n: ArrayLike) -> Float:
     """Phong's highlight (R.V)^n.  V: unit vector to the eye, n: shininess.  -> (..., 1) in [0, 1]"""
     return power(dot(reflection(N, L), V), n)
@@ -45,8 +50,28 @@ def phong_specular(N: ArrayLike, L: ArrayLike, V: ArrayLike, n: ArrayLike) -> Fl
 
 def blinn_torrance_specular(N: ArrayLike, L: ArrayLike, V: ArrayLike, n: ArrayLike) -> Float:
     """Blinn's highlight (N.H)^n with H halfway between L and V: OpenGL's.  -> (..., 1) in [0, 1]"""
-    H = normalize(np.asarray(L, np.float64) + np.asarray(V, np.float64))
-    return power(dot(N, H), n)
+    return power(dot(N, halfway(L, V)), n)
+
+
+def ambient(k_a: ArrayLike, I_a: ArrayLike) -> Float:
+    """The ambient glow k_a I_a, for each channel.  Reflectance in [0, 1], intensity >= 0; (..., 3) -> (..., 3)"""
+    return np.asarray(np.asarray(k_a, np.float64) * np.asarray(I_a, np.float64))
+
+
+def diffuse(k_d: ArrayLike, I_d: ArrayLike, N: ArrayLike, L: ArrayLike) -> Float:
+    """Diffuse reflection k_d I_d (N.L), for each channel; 0 where the light is behind.  -> (..., 3)"""
+    return np.asarray(np.asarray(k_d, np.float64) * np.asarray(I_d, np.float64) * lambert(N, L))
+
+
+def clamp(intensity: ArrayLike) -> Float:
+    """What a screen can show of I: I > 1 becomes 1, I < 0 becomes 0 (the lecture's special cases)."""
+    return np.clip(np.asarray(intensity, np.float64), 0.0, 1.0)
+
+
+def towards_light(N: ArrayLike, L: ArrayLike, flip: bool = False) -> Float:
+    """The normal that the equation uses where N.L < 0: N itself (N.L is then clamped to 0), or with ``flip`` -N."""
+    N = np.asarray(N, np.float64)
+    return np.where(dot(N, L) < 0.0, -N, N) if flip else N
 
 
 def attenuation(d: ArrayLike, k_0: float = 1.0, k_1: float = 0.0, k_2: float = 0.0) -> Float:
@@ -64,3 +89,39 @@ def spotlight(L: ArrayLike, direction: ArrayLike, cutoff: float, exponent: float
     if cutoff == 180.0:
         return np.ones_like(cosine)
     return np.where(cosine < np.cos(np.radians(cutoff)), 0.0, power(cosine, exponent))
+
+
+def refraction(N: ArrayLike, L: ArrayLike, n_1: float, n_2: float) -> Float:
+    """The direction into the second medium by Snell's law, n_1 sin(theta_1) = n_2 sin(theta_2).
+
+    N: unit normal on L's side; L: unit vector back along the incoming ray; n_1, n_2: refractive indices (> 0) on
+    L's side and beyond.  -> unit vectors (..., 3); NaN where the light is totally reflected.
+    """
+    N, L = np.asarray(N, np.float64), np.asarray(L, np.float64)
+    cos_1 = dot(N, L)
+    ratio = n_1 / n_2
+    squared = 1.0 - ratio * ratio * (1.0 - cos_1 * cos_1)
+    cos_2 = np.sqrt(np.where(squared >= 0.0, squared, np.nan))
+    return np.asarray((ratio * cos_1 - cos_2) * N - ratio * L)
+
+
+def fresnel(cosine: ArrayLike, n_1: float, n_2: float) -> Float:
+    """Share of unpolarised light that a boundary of two dielectrics reflects: Fresnel's equations.
+
+    cosine: of the angle of incidence, in [0, 1]; n_1, n_2: refractive indices (> 0) before and behind the boundary.
+    -> in [0, 1]; 1 where the light is totally reflected.  Source: Hecht, Optics, section 4.6.
+    """
+    cos_1 = np.clip(np.asarray(cosine, np.float64), 0.0, 1.0)
+    squared = 1.0 - (n_1 / n_2) ** 2 * (1.0 - cos_1 * cos_1)
+    cos_2 = np.sqrt(np.maximum(squared, 0.0))
+    with np.errstate(invalid="ignore"):  # 0 / 0 at grazing incidence between equal media
+        across = (n_1 * cos_1 - n_2 * cos_2) / (n_1 * cos_1 + n_2 * cos_2)
+        along = (n_1 * cos_2 - n_2 * cos_1) / (n_1 * cos_2 + n_2 * cos_1)
+    reflected = np.nan_to_num((across * across + along * along) / 2.0)
+    return np.asarray(np.where(squared < 0.0, 1.0, reflected))
+
+
+def fresnel_schlick(cosine: ArrayLike, F_0: ArrayLike) -> Float:
+    """Schlick's approximation (1994), F_0 + (1 - F_0) (1 - cosine)^5.  F_0: reflectance at cosine 1, in [0, 1]."""
+    F_0 = np.asarray(F_0, np.float64)
+    return np.asarray(F_0 + (1.0 - F_0) * (1.0 - np.clip(np.asarray(cosine, np.float64), 0.0, 1.0)) ** 5)
