@@ -29,7 +29,9 @@ flat in vec2 line_half_size;
 flat in float point_diameter;
 flat in uint object_row;
 
-out vec4 fragment_color;
+layout(location = 0) out vec4 fragment_color;
+
+#include "probe.glsl"
 
 void main()
 {
@@ -59,11 +61,15 @@ void main()
 #endif
     if (SEPARATE_SPECULAR || COLOR_SUM) color.rgb = min(color.rgb + highlight, 1.0);
     if (FOG != FOG_OFF) color.rgb = mix(fog_color.rgb, color.rgb, fog_factor(fog_distance));
+    float covered = 1.0;
     if (SMOOTH_LINES || POINT_SMOOTH) {
-        float covered = SMOOTH_LINES ? line_coverage(line_place, line_half_size) : point_coverage(point_diameter);
+        covered = SMOOTH_LINES ? line_coverage(line_place, line_half_size) : point_coverage(point_diameter);
         if (covered == 0.0) discard;
         color.a *= covered;
     }
     if (!alpha_test(color.a)) discard;
     fragment_color = color;
+#if PROBE
+    probe(covered);
+#endif
 }

@@ -9,5 +9,5 @@ layout(std140) uniform Raster {
     vec4 viewport;              // x, y, width, height in pixels
     vec4 line;                  // glLineWidth; glLineStipple's factor and pattern
     uvec4 polygon_stipple[8];   // 32 rows, bottom first
-    vec4 rectangle_origin;      // x, y: lower left pixel of a pixel rectangle
+    vec4 rectangle_origin;      // x, y: lower left pixel of a pixel rectangle; z: number of the draw, for a probe
 };

@@ -39,11 +39,13 @@ TRACKED: dict[int, tuple[str, ...]] = {
 
 
 class Stage(NamedTuple):
-    """Vertices after transformation and lighting: eye and clip coordinates and colours of both sides (n, 4),
-    highlight apart (n, 3), texture coordinates by unit (n, 4)."""
+    """Vertices after transformation and lighting: eye and clip coordinates (n, 4), normals in eye space (n, 3), current
+    colours, colours of both sides (n, 4), highlight apart (n, 3), texture coordinates by unit (n, 4)."""
 
     eye: Float
     clip: Float
+    normal: Float
+    current: Float
     front: Float
     back: Float
     highlight: Float
@@ -76,7 +78,7 @@ def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int, colors: boo
         matrix = textures[number] if number < len(textures) else np.eye(4)
         given = block.column(f"texcoord{number}")[chosen].astype(np.float64)
         texcoords.append(_generated(state.texture.units[number], given, P, eye, N) @ matrix)
-    return Stage(eye, eye @ projection, front, back, highlight, texcoords)
+    return Stage(eye, eye @ projection, N, color, front, back, highlight, texcoords)
 
 
 def _normals(draw: Draw, normals: Float, modelview: Float) -> Float:

@@ -69,7 +69,7 @@ class Draw:
     if there are any, make primitives of ``mode``.  ``matrices``: see Matrices.
     """
 
-    __slots__ = ("color", "count", "first", "indices", "material", "matrices", "mode", "state", "vertices")
+    __slots__ = ("call", "color", "count", "first", "indices", "material", "matrices", "mode", "state", "vertices")
 
     def __init__(
         self,
@@ -86,11 +86,12 @@ class Draw:
         self.matrices, self.material, self.state = matrices, material, state
         self.vertices = vertices
         self.color: Color | None = None  # for all vertices, instead of their own: a display list that sets none
+        self.call: int | None = None  # the number of the call that ended it, if calls are recorded
 
     def with_state(self, state: Snapshot) -> Draw:
         """The same geometry under another state."""
         draw = Draw(self.mode, self.first, self.count, self.indices, self.matrices, self.material, state)
-        draw.vertices, draw.color = self.vertices, self.color
+        draw.vertices, draw.color, draw.call = self.vertices, self.color, self.call
         return draw
 
     def material_changes(self) -> list[tuple[int, Material]]:
@@ -166,21 +167,47 @@ class Query:
 Packet = Draw | Clear | Pixels | Accum | QueryMark
 
 
+class Where(NamedTuple):
+    """A line of the user's program; via: the GLU or GLUT function it called, if it was not the gl command itself."""
+
+    file: str
+    line: int
+    via: str = ""
+
+
 class Call(NamedTuple):
     """One call of the API, with the arguments as the program gave them (arrays copied)."""
 
     name: str
     arguments: tuple[Any, ...]
+    where: Where | None = None
+
+
+class Moment(NamedTuple):
+    """The state after a call.  matrices: tops of the stacks for modelview, projection and each texture unit; depths:
+    how many matrices each holds."""
+
+    call: int
+    state: Snapshot
+    material: Material
+    matrices: tuple[Matrix, ...]
+    depths: tuple[int, ...]
 
 
 @dataclass
 class Frame:
-    """Packets in the order of the program, and the calls they came from if those were recorded."""
+    """Packets in the order of the program.
+
+    If calls were recorded: ``calls`` they came from, and ``history``, the state at the beginning (call -1) and after
+    each call that changed it.  ``error``: the sentence of the error that ended the program.
+    """
 
     width: int
     height: int
     packets: list[Packet] = field(default_factory=list)
     calls: list[Call] = field(default_factory=list)
+    history: list[Moment] = field(default_factory=list)
+    error: str = ""
 
     @property
     def draws(self) -> Iterator[Draw]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from collections.abc import Callable
 from ctypes import c_void_p
 from typing import Any
@@ -9,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from glsim.machine.commands import COMMANDS
-from glsim.machine.frame import Call
+from glsim.machine.frame import Call, Draw, Frame, Moment, Packet, Where
 from glsim.machine.machine import Machine
 from glsim.machine.pixels import PixelStore
 
@@ -18,22 +20,70 @@ implementations: dict[str, Callable[..., Any]] = {}
 
 
 class Recorder:
-    """Appends each call to ``calls`` and then executes it."""
+    """Notes each call, with the user's line and what it changed, and executes it."""
 
-    def __init__(self, machine: Machine, calls: list[Call]) -> None:
-        self.machine, self.calls = machine, calls
+    def __init__(self, machine: Machine, frame: Frame) -> None:
+        self.machine, self.calls, self.history = machine, frame.calls, frame.history
+        if not self.history:
+            self.history.append(moment(machine, len(self.calls) - 1))
+
+    def note(self, name: str, arguments: tuple[Any, ...]) -> None:
+        self.calls.append(Call(name, arguments, users_line()))
 
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
-        self.calls.append(Call(name, tuple(map(frozen, arguments))))
         machine = self.machine
-        machine.record(None)
+        self.note(name, arguments if name in NUMBERS_ONLY else tuple(map(frozen, arguments)))
+        packets, first = machine.packets, len(machine.packets)
+        machine.recorder, machine.busy = None, machine.inside is not None
         try:
             return implementations[name](*arguments)
         finally:
             if isinstance(machine.recorder, ListRecorder):  # the call was glNewList
                 machine.recorder.outer = self
             else:
-                machine.record(self)
+                machine.recorder, machine.busy = self, True
+            if name not in REGISTERS_ONLY:
+                self.changed(packets, first)
+
+    def changed(self, packets: list[Packet], first: int) -> None:
+        """Note the state if it is another, and which call the new Draws are from."""
+        number = len(self.calls) - 1
+        new = packets[first:] if packets is self.machine.packets else packets[first:] + self.machine.packets
+        for packet in new:
+            if type(packet) is Draw:
+                packet.call = number
+        now = moment(self.machine, number)
+        if now[1:] != self.history[-1][1:]:
+            self.history.append(now)
+
+
+def moment(m: Machine, call: int) -> Moment:
+    stacks = (m.modelview, m.projection, *m.texture_stacks)
+    return Moment(call, m.snapshot(), m.material, tuple([s[-1] for s in stacks]), tuple([len(s) for s in stacks]))
+
+
+# Rooms of glsim that the user's line is not in, and its generated code.
+PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+INNER = tuple(os.path.join(PACKAGE, room, "") for room in ("gl", "glu", "glut", "machine", "render", "study"))
+_inner: dict[str, bool] = {}
+
+
+def users_line() -> Where | None:
+    """The line of the user's program that is being executed."""
+    frame: Any = sys._getframe(2)
+    via = ""
+    while frame is not None:
+        code = frame.f_code
+        name = code.co_filename
+        inner = _inner.get(name)
+        if inner is None:
+            inner = _inner[name] = name.startswith((*INNER, "<gl command"))
+        if not inner:
+            return Where(name, frame.f_lineno, via)
+        if code.co_name.startswith("glu"):
+            via = code.co_name
+        frame = frame.f_back
+    return None
 
 
 class ListRecorder:
@@ -55,7 +105,7 @@ class ListRecorder:
         if name not in NUMBERS_ONLY:
             arguments = tuple(map(frozen, arguments))
         if self.outer is not None:
-            self.outer.calls.append(Call(name, arguments))
+            self.outer.note(name, arguments)
         if name in NEVER_LISTED:
             return self._perform(name, arguments)
         if name in ARRAY_CALLS:
@@ -66,14 +116,23 @@ class ListRecorder:
         return self._perform(name, arguments) if self.execute else None
 
     def _perform(self, name: str, arguments: tuple[Any, ...]) -> Any:
-        self.machine.record(None)
+        machine = self.machine
+        packets, first = machine.packets, len(machine.packets)
+        machine.record(None)
         try:
             return implementations[name](*arguments)
         finally:
-            self.machine.record(self.outer if name == "glEndList" else self)
+            machine.record(self.outer if name == "glEndList" else self)
+            if self.outer is not None:
+                self.outer.changed(packets, first)
 
 
 NUMBERS_ONLY = {command.name for command in COMMANDS.values() if all(k != "data" for _, k in command.arguments)}
+REGISTERS_ONLY = {
+    command.name
+    for command in COMMANDS.values()
+    if command.family in ("glVertex", "glNormal", "glColor", "glTexCoord", "glMultiTexCoord", "glEdgeFlag", "glBegin")
+}
 NEVER_LISTED = {command.name for command in COMMANDS.values() if not command.listed}
 PIXEL_CALLS = {command.name for command in COMMANDS.values() if "pixels" in command.parameters} | {"glBitmap"}
 ARRAY_CALLS = {

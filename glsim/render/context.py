@@ -104,10 +104,12 @@ class Offscreen:
             raise ValueError(f"glsim.offscreen: samples must be one of {choices} on this device, not {wanted!r}")
         return int(wanted)
 
-    def _framebuffer(self, samples: int) -> moderngl.Framebuffer:
-        """Colour of 8 bits each, depth of 24 and stencil of 8 bits."""
+    def _framebuffer(self, samples: int, probes: int = 0) -> moderngl.Framebuffer:
+        """Colour of 8 bits each, depth of 24 and stencil of 8 bits; and what shaders/probe.glsl writes, as floats."""
         size, raw = (self.width, self.height), self._raw
-        framebuffer = self.ctx.framebuffer(self.ctx.renderbuffer(size, 4, samples=samples))
+        colors = [self.ctx.renderbuffer(size, 4, samples=samples)]
+        colors += [self.ctx.renderbuffer(size, 4, dtype="f4") for _ in range(probes)]
+        framebuffer = self.ctx.framebuffer(colors)
         framebuffer.use()
         name = ctypes.c_uint()
         raw.glGenRenderbuffers(1, ctypes.byref(name))

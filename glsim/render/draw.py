@@ -153,6 +153,7 @@ class Renderer:
         self.query = 0  # the driver's name of the query that is counting
         self.fixed: tuple[Snapshot, int] | None = None
         self.busy = False  # whether the GPU may still read the buffers
+        self.probing: int | None = None  # the number of the draw whose fragments shall tell what they are made of
 
     def resize(self, size: tuple[int, int]) -> None:
         self.size, self.accumulation = size, None
@@ -186,6 +187,17 @@ class Renderer:
             else:
                 for packet in run:
                     (self._clear if kind is Clear else self._mark)(packet)
+
+    def probe(self, number: int, draw: Draw, pixels: Fragments | None) -> None:
+        """Draw into the framebuffer of an Inspector."""
+        self.fixed = None
+        self.probing = number
+        if pixels is not None:
+            self.textures.rectangle(pixels.image)
+        try:
+            self._draw([draw], pixels)
+        finally:
+            self.probing = None
 
     def _clear(self, packet: Clear) -> None:
         state, raw = packet.state, self.raw
@@ -284,11 +296,12 @@ class Renderer:
             smooth_lines=wide and state.line.smooth,
             pixels=PIXELS[pixels.kind] if pixels else 0,
             object_color=batch.draws[0].color is not None,
+            probe=self.probing is not None,
             objects=self.limit if many else 1,
         )
         self._apply(state, 2 if wide else batch.corners)
         self._upload_lights(state.lighting)
-        self._upload_raster(state, pixels.origin if pixels else (0, 0))
+        self._upload_raster(state, (*(pixels.origin if pixels else (0, 0)), self.probing or 0))
         if key.units:
             self._upload_texturing(batch)
             for unit in key.units:
@@ -347,7 +360,7 @@ class Renderer:
             self._write("Lights", lights(lighting))
             self.uploaded_lights = groups
 
-    def _upload_raster(self, state: Snapshot, origin: tuple[int, int]) -> None:
+    def _upload_raster(self, state: Snapshot, origin: tuple[int, int, int]) -> None:
         groups = (
             state.fog, state.transform, state.point, state.viewport, state.line, state.polygon_stipple,
             state.color_buffer.alpha_reference, origin,
@@ -466,8 +479,8 @@ def _faces(material: Material) -> list[float]:
     return values
 
 
-def raster(state: Snapshot, origin: tuple[int, int] = (0, 0)) -> NDArray[np.float32]:
-    """The block Raster of shaders/raster.glsl: (84,) float32."""
+def raster(state: Snapshot, origin: tuple[int, int, int] = (0, 0, 0)) -> NDArray[np.float32]:
+    """The block Raster of shaders/raster.glsl: (84,) float32.  origin: of a pixel rectangle, and a probe's number."""
     fog, point, line, viewport = state.fog, state.point, state.line, state.viewport
     block = np.zeros(RASTER_SIZE // 4, np.float32)
     block[0:4] = fog.color
@@ -477,7 +490,7 @@ def raster(state: Snapshot, origin: tuple[int, int] = (0, 0)) -> NDArray[np.floa
     block[36:39] = point.distance_attenuation
     block[40:44] = viewport.x, viewport.y, max(viewport.width, 1), max(viewport.height, 1)
     block[44:47] = line_width(state), line.stipple_factor, line.stipple_pattern
-    block[80:82] = origin
+    block[80:83] = origin
     block[48:80] = np.array(state.polygon_stipple.rows, np.uint32).view(np.float32)
     return block
 

@@ -87,7 +87,7 @@ class Native:
             self._reset()
             kept: list[Any] = []  # arrays that pointers lead to
             inside = False
-            for name, arguments in calls:
+            for name, arguments, *_ in calls:
                 command = COMMANDS[name]
                 if command.result:
                     continue

@@ -146,6 +146,7 @@ class ProgramKey(NamedTuple):
     pixels: int = 0  # the fragments of a pixel rectangle: one of PIXELS
     depth_offset: bool = False  # each vertex says how far it is moved: glPolygonOffset for lines and points
     smooth_lines: bool = False  # wide lines with soft edges
+    probe: bool = False  # fragments tell what they are made of
     objects: int = 1  # rows of transforms and materials that one draw can use
 
 
@@ -281,6 +282,7 @@ def constants(key: ProgramKey) -> str:
         lines.append(f"const {size} {name} = {size}({', '.join(map(_glsl, column))});")
     lines += [f"#define PIXELS_{name.upper() or 'NONE'} {number}" for name, number in PIXELS.items()]
     lines.append(f"#define PIXELS {key.pixels}")
+    lines.append(f"#define PROBE {int(key.probe)}")
     return "\n".join(lines + _unit_constants(key.units)) + "\n"
 
 

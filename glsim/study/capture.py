@@ -25,7 +25,7 @@ def capture(calls: bool = False) -> Iterator[Frame]:
     before, recorder = machine.capturing, machine.recorder
     machine.capturing = frame
     if calls:
-        machine.record(Recorder(machine, frame.calls))
+        machine.record(Recorder(machine, frame))
     try:
         yield frame
         machine.complete()

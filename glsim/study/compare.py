@@ -6,7 +6,7 @@ import io
 import os
 import tempfile
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,9 +23,9 @@ from glsim.machine.constants import (
     GL_SMOOTH,
 )
 from glsim.machine.frame import Draw, Frame, Vertices
-from glsim.scenes import Camera, Lamp, Scene, open_scene
-from glsim.scenes.load import from_trimesh
+from glsim.scenes import Camera, Lamp
 from glsim.study.capture import capture
+from glsim.study.frames import drawer
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -125,7 +125,7 @@ def compare(
     if isinstance(what, (str, Path)) and str(what).endswith(".py"):
         return _compare_program(Path(what), tuple(modes), tuple(lobes), tell)
     tell("reading the scene")
-    title, draw = _drawer(what, size, lights, material, camera)
+    title, draw = drawer(what, size, lights, material, camera)
     from glsim.machine.current import current_machine, make_current
     from glsim.machine.machine import Machine
     from glsim.render.context import offscreen
@@ -172,34 +172,6 @@ def _compare_program(
                     raise ValueError(f"compare: {script} gives no picture: {(reasons or [record['status']])[0]}")
                 images[lobe, mode] = np.asarray(Image.open(Path(folder) / record["pictures"][0]))
     return Comparison(script.name, modes, lobes, images)
-
-
-def _drawer(
-    what: Any, size: int, lights: Sequence[Lamp] | None, material: str | None, camera: Camera | None
-) -> tuple[str, Callable[[], None]]:
-    """A title, and a function without arguments that draws."""
-    if callable(what) and not isinstance(what, Scene):
-        if lights or material or camera:
-            raise ValueError("compare: a drawing function sets its own lights, material and camera")
-        return getattr(what, "__name__", "drawing"), what
-    if isinstance(what, Scene):
-        scene = what
-    elif isinstance(what, (str, Path)):
-        scene = open_scene(what)
-    elif hasattr(what, "vertices") and hasattr(what, "faces"):
-        scene = Scene("mesh", from_trimesh([what], "the mesh"), two_sided=True)
-    else:
-        raise TypeError(f"compare: a scene name, a file, a Scene, a mesh or a drawing function is needed, not {what!r}")
-    if lights is not None:
-        scene = replace(scene, lights=lights)
-    if camera is not None:
-        scene = replace(scene, camera=camera)
-    if material is not None:
-        from glsim.scenes import material as named
-
-        face = named(material)
-        scene = replace(scene, material=face, meshes=[replace(m, material=face, colors=None) for m in scene.meshes])
-    return scene.name, lambda: scene.draw(size, size)
 
 
 def _picture(screen: Offscreen, frame: Frame, mode: str, lobe: str) -> Pixels:

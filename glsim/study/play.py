@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import json
 import os
+import pickle
 import random
 import sys
 import time
 import traceback
 import types
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +25,9 @@ from glsim.glut.loop import FinishedError, Loop, StepClock, loop
 from glsim.glut.screen import Screen, open_windows
 from glsim.glut.window import Window
 from glsim.machine.frame import Draw, Frame
+from glsim.machine.record import Recorder
 from glsim.study import alias, toolkits
+from glsim.study.frames import needed
 from glsim.study.python2 import ConversionError, compiled, is_python_3, prepare
 
 MOST_ERRORS = 5  # a program that fails so often is stopped
@@ -50,6 +53,8 @@ class Plan:
     count: bool = False
     python2: bool = True
     result: str | None = None
+    capture: str | None = None  # a file for the last picture's Frame
+    capture_calls: bool = False
 
 
 @dataclass
@@ -71,6 +76,8 @@ class Player:
         self.plan, self.record = plan, Record()
         self.screen: Screen | None = None
         self.saved = MONOTONIC()
+        self.frame: Frame | None = None  # what the first window draws, with plan.capture
+        self.swapped = 0, 0  # its packets and calls at the last swap
         self.script = str(Path(plan.script).resolve())
 
     def play(self) -> Record:
@@ -155,10 +162,18 @@ class Player:
             loop.left = True
 
     def _opened(self, window: Window) -> None:
-        window.screen.machine.change = reshaded(self.plan.shade, self.plan.lobe)
+        machine = window.screen.machine
+        machine.change = reshaded(self.plan.shade, self.plan.lobe)
+        if self.plan.capture is not None and self.frame is None:
+            self.frame = machine.capturing = Frame(*window.asked)
+            if self.plan.capture_calls:
+                machine.record(Recorder(machine, self.frame))
 
     def _swapped(self, window: Window) -> None:
         """Within a step that takes long, or never ends, pictures are kept now and then."""
+        if self.frame is not None and window.screen.machine.capturing is self.frame:
+            self.frame.packets[:] = needed(self.frame.packets)
+            self.swapped = len(self.frame.packets), len(self.frame.calls)
         now = MONOTONIC()
         if now - self.saved > PATIENCE:
             self.saved = now
@@ -175,6 +190,8 @@ class Player:
                 name = f"frame_{played.step - 1:03d}{suffix}.png"
                 self._keep(window.shown, name)
         self.saved = MONOTONIC()
+        if self.frame is not None and (played.steps is None or played.step >= played.steps):
+            self._keep_frame(self.frame)
         if self.screen is not None:
             self.screen.after_step(played)
         self.record.frames = played.step
@@ -189,9 +206,21 @@ class Player:
         if name not in self.record.pictures:
             self.record.pictures.append(name)
 
+    def _keep_frame(self, frame: Frame) -> None:
+        """Write the Frame that is shown to plan.capture: of a double-buffered window what was drawn before the swap."""
+        window = next((w for w in loop.windows.values() if w.screen.machine.capturing is frame), None)
+        if window is None or self.plan.capture is None:
+            return
+        packets, calls = self.swapped if window.double and self.swapped[0] else (None, None)
+        frame.width, frame.height = window.screen.width, window.screen.height
+        shown = replace(frame, packets=needed(frame.packets[:packets]), calls=frame.calls[:calls])
+        write_atomically(self.plan.capture, lambda name: Path(name).write_bytes(pickle.dumps(shown)))
+
     def _finish(self) -> None:
         record = self.record
         kinds = {error["kind"] for error in record.errors}
+        if self.frame is not None and self.plan.capture is not None and not os.path.exists(self.plan.capture):
+            self._keep_frame(self.frame)  # the program ended before the last step
         if kinds:
             record.status = "gl-error" if "gl-error" in kinds else "python-error"
         else:

@@ -1,0 +1,127 @@
+"""The Frame of anything: a scene, a mesh file, a function that draws, or a PyOpenGL/GLUT program."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from glsim.machine.frame import Accum, Clear, Frame, Packet, QueryMark
+from glsim.scenes import Camera, Lamp, Scene, open_scene
+from glsim.scenes.load import from_trimesh
+from glsim.study.capture import capture
+
+WHOLE = 0x4000 | 0x100  # GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT
+
+
+def frame_of(
+    what: Any, *, size: int = 512, calls: bool = False, step: int = 0, events: Sequence[str] = (),
+    timeout: float | None = 60.0,
+) -> Frame:  # fmt: skip
+    """What ``what`` draws, as a Frame.
+
+    what: a Frame (returned as it is), a function that draws with the gl commands, a Scene, the name of a built-in
+        scene, the path of a mesh file, a trimesh.Trimesh, or the path of a program (.py), run as ``glsim run`` does.
+    size: pixels of the picture; a program chooses its own.  calls: record every call.
+    step, events, timeout: which picture of a program, what happens before it, and how many seconds it may take.
+
+    Raises ValueError for what cannot be drawn, FileNotFoundError for a program that is not there.
+    """
+    if isinstance(what, Frame):
+        return what
+    if isinstance(what, (str, Path)) and str(what).endswith(".py"):
+        return frame_of_program(what, calls=calls, step=step, events=events, timeout=timeout)
+    title, draw = drawer(what, size)
+    from glsim.machine.current import current_machine, make_current
+    from glsim.machine.machine import Machine
+    from glsim.render.context import offscreen
+
+    before = current_machine()
+    screen = offscreen(size, size)
+    try:
+        with capture(calls=calls) as frame:
+            draw()
+    finally:
+        screen.release()
+        make_current(before if isinstance(before, Machine) else None)
+    if not frame.packets:
+        raise ValueError(f"{title} draws nothing here: does it open a context of its own?")
+    return frame
+
+
+def frame_of_program(
+    script: str | Path, *, calls: bool = False, step: int = 0, events: Sequence[str] = (), timeout: float | None = 60.0
+) -> Frame:
+    """The picture of a program's first window after ``step`` steps, from its beginning on.
+
+    An error that ends the program is in ``frame.error``, with what was drawn until then.  Raises ValueError if it draws
+    nothing.
+    """
+    from glsim.study.play import Plan
+    from glsim.study.run import run
+
+    with tempfile.TemporaryDirectory(prefix="glsim-") as folder:
+        target = os.path.join(folder, "frame")
+        plan = Plan(str(script), frames=step + 1, events=list(events), capture=target, capture_calls=calls, count=True)
+        record = run(plan, timeout)
+        reasons = [error["error"] for error in record["errors"]] or record["notes"] or [record["status"]]
+        if not os.path.exists(target):
+            raise ValueError(f"{script} gives no picture: {reasons[0]}")
+        frame: Frame = pickle.loads(Path(target).read_bytes())
+    frame.error = reasons[0] if record["errors"] else ""
+    return frame
+
+
+def drawer(
+    what: Any,
+    size: int,
+    lights: Sequence[Lamp] | None = None,
+    material: str | None = None,
+    camera: Camera | None = None,
+) -> tuple[str, Callable[[], None]]:
+    """A title, and a function without arguments that draws; lights, material, camera: instead of the scene's own."""
+    if callable(what) and not isinstance(what, Scene):
+        if lights or material or camera:
+            raise ValueError("compare: a drawing function sets its own lights, material and camera")
+        return getattr(what, "__name__", "drawing"), what
+    if isinstance(what, Scene):
+        scene = what
+    elif isinstance(what, (str, Path)):
+        scene = open_scene(what)
+    elif hasattr(what, "vertices") and hasattr(what, "faces"):
+        scene = Scene("mesh", from_trimesh([what], "the mesh"), two_sided=True)
+    else:
+        raise TypeError(f"a scene name, a file, a Scene, a mesh or a drawing function is needed, not {what!r}")
+    if lights is not None:
+        scene = replace(scene, lights=lights)
+    if camera is not None:
+        scene = replace(scene, camera=camera)
+    if material is not None:
+        from glsim.scenes import material as named
+
+        face = named(material)
+        scene = replace(scene, material=face, meshes=[replace(m, material=face, colors=None) for m in scene.meshes])
+    return scene.name, lambda: scene.draw(size, size)
+
+
+def needed(packets: list[Packet]) -> list[Packet]:
+    """The packets that a picture depends on: not those before a glClear that wipes colour, depth and stencil."""
+    if any(isinstance(packet, (Accum, QueryMark)) for packet in packets):
+        return packets
+    stencil = any(packet.state.stencil.test for packet in packets if not isinstance(packet, QueryMark))
+    for at in range(len(packets) - 1, 0, -1):
+        packet = packets[at]
+        if isinstance(packet, Clear) and _wipes(packet, stencil):
+            return packets[at:]
+    return packets
+
+
+def _wipes(clear: Clear, stencil: bool) -> bool:
+    state = clear.state
+    buffers = WHOLE | (0x400 if stencil else 0)
+    writes = all(state.color_buffer.mask) and state.depth.mask and not state.scissor.test
+    return clear.mask & buffers == buffers and writes and (not stencil or state.stencil.write_mask & 255 == 255)

@@ -1,0 +1,513 @@
+"""Why a pixel has its colour: every fragment that came to it, with every factor of every term.
+
+The GPU says which primitives cover the pixel and with which weights (glsim.render.inspect); the equation and what
+follows it are evaluated in NumPy (glsim.shading, glsim.study.fragments).  What comes out must be the picture's pixel.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.machine.constants import GL_NONE, GL_PHONG_LOBE_GLSIM, GL_POLYGON, GL_QUAD_STRIP, GL_QUADS
+from glsim.machine.frame import Accum, Clear, Draw, Frame, Packet, Pixels, QueryMark, Where
+from glsim.machine.state import Scissor
+from glsim.render.context import Offscreen, offscreen
+from glsim.render.inspect import Inspector, Piece, Sample, candidates
+from glsim.shading import Contribution, dot
+from glsim.study.fragments import (
+    COMPARISONS,
+    WORDS,
+    Shaded,
+    blended,
+    fog_factor,
+    logic_op,
+    shade,
+    textured,
+    to_8_bits,
+)
+from glsim.study.frames import frame_of
+
+Numbers = tuple[float, ...]
+Bytes = tuple[int, int, int, int]
+KINDS = {3: "triangle", 2: "line", 1: "point"}
+DEPTHS = (1 << 24) - 1
+
+
+@dataclass(frozen=True)
+class Vertex:
+    """A corner of the primitive.  number: in the program's Draw, -1 if glsim made it; position: in object space; eye:
+    in eye space; normal: in eye space, as the equation takes it; window: pixels from the lower left and depth.
+    linear: weight on the screen; hyperbolic: perspective-correct weight.  color: what the vertex brings, RGBA."""
+
+    number: int
+    position: Numbers
+    eye: Numbers
+    normal: Numbers
+    window: Numbers
+    linear: float
+    hyperbolic: float
+    color: Numbers
+
+
+@dataclass(frozen=True)
+class LightTerms:
+    """What one light adds (see shading.Contribution).  vector: "H" or "R"; direction: of it; cosine: N.H or R.V."""
+
+    light: int
+    I_a: Numbers
+    I_d: Numbers
+    I_s: Numbers
+    L: Numbers
+    d: float
+    attenuation: float
+    spot: float
+    N_L: float
+    V: Numbers
+    vector: str
+    direction: Numbers
+    cosine: float
+    power: float
+    ambient: Numbers
+    diffuse: Numbers
+    specular: Numbers
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """One evaluation of the illumination equation.  at: "fragment" or "vertex 3"; weight: its share of the fragment's
+    colour; sum: before clamping."""
+
+    at: str
+    weight: float
+    P: Numbers
+    N: Numbers
+    k_a: Numbers
+    k_d: Numbers
+    k_s: Numbers
+    n: float
+    emission: Numbers
+    glow: Numbers
+    scene_ambient: Numbers
+    lights: tuple[LightTerms, ...]
+    sum: Numbers
+    clamped: Numbers
+
+
+@dataclass(frozen=True)
+class Step:
+    """What happens to the fragment after lighting.  color: RGBA after it; passed: False if the fragment ends here."""
+
+    name: str
+    formula: str
+    color: Numbers
+    passed: bool = True
+
+
+@dataclass(frozen=True)
+class Fragment:
+    """One fragment at the pixel.
+
+    packet: number in frame.packets; draw: among the Draws, -1 for a pixel rectangle; where: the call's line.
+    what: "triangle 5 of GL_QUADS"; shading: where the equation ran.  killed: the test it failed, "" if none.
+    before, after: the pixel's 8 bits in the picture; computed: the same as ``after``, by this evaluation.
+    """
+
+    packet: int
+    draw: int
+    where: Where | None
+    what: str
+    front: bool
+    shading: str
+    vertices: tuple[Vertex, ...]
+    P: Numbers
+    N: Numbers
+    evaluations: tuple[Evaluation, ...]
+    primary: Numbers
+    highlight: Numbers
+    steps: tuple[Step, ...]
+    depth: float
+    killed: str
+    before: Bytes
+    after: Bytes
+    computed: Bytes
+
+
+@dataclass(frozen=True)
+class Probe:
+    """A pixel and all that happened to it.
+
+    x, y: from the upper left.  pixel: in the picture, RGBA of 8 bits; computed: by the equation, and equal within 1.
+    events: (number of the packet, what it was) for what is no fragment: glClear, glAccum.
+    """
+
+    x: int
+    y: int
+    pixel: Bytes
+    computed: Bytes
+    fragments: tuple[Fragment, ...]
+    events: tuple[tuple[int, str], ...]
+
+    @property
+    def winner(self) -> Fragment | None:
+        """The last fragment that was written, None where only the background is seen."""
+        return next((fragment for fragment in reversed(self.fragments) if not fragment.killed), None)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain dictionaries, lists and numbers: for JSON."""
+        return {**plain(self), "winner": None if self.winner is None else self.fragments.index(self.winner)}
+
+    def latex(self) -> str:
+        """The winning fragment's equation with its numbers, as LaTeX."""
+        from glsim.study.formulas import latex
+
+        return latex(self)
+
+    def mathml(self) -> str:
+        """The same as MathML."""
+        from glsim.study.formulas import mathml
+
+        return mathml(self)
+
+    def _repr_latex_(self) -> str:
+        return self.latex()
+
+    def __rich__(self) -> Any:
+        from glsim.study.report import probe_report
+
+        return probe_report(self)
+
+
+def plain(value: Any) -> Any:
+    """Dataclasses and tuples -> dictionaries and lists; an infinite distance becomes None."""
+    if is_dataclass(value):
+        return {entry.name: plain(getattr(value, entry.name)) for entry in fields(value)}
+    if isinstance(value, Where):
+        return value._asdict()
+    if isinstance(value, (tuple, list)):
+        return [plain(entry) for entry in value]
+    return None if isinstance(value, float) and not np.isfinite(value) else value
+
+
+def probe(what: Any, x: int, y: int, **options: Any) -> Probe:
+    """Why the pixel x, y (from the upper left) of what ``what`` draws has its colour.
+
+    what: a Frame (glsim.capture), or anything else that study.frames.frame_of takes, with its options.
+    Raises ValueError for a pixel outside of the picture.
+    """
+    return Prober(frame_of(what, **options)).at(x, y)
+
+
+class Prober:
+    """Probes pixels of one frame.  The picture begins black; it has one sample a pixel."""
+
+    def __init__(self, frame: Frame) -> None:
+        from glsim.machine.current import current_machine, make_current
+        from glsim.machine.machine import Machine
+
+        self.frame = frame
+        before = current_machine()
+        self.screen: Offscreen = offscreen(frame.width, frame.height)
+        make_current(before if isinstance(before, Machine) else None)
+        self.inspector = Inspector(self.screen)
+        reads = any(isinstance(packet, Pixels) and packet.copied for packet in frame.packets)
+        self.pieces: list[list[Piece]] = []
+        self.draws: list[int] = []  # for each packet its number among the Draws
+        for number, packet in enumerate(frame.packets):
+            self.draws.append(sum(draw >= 0 for draw in self.draws) if isinstance(packet, Draw) else -1)
+            self.pieces.append(self.inspector.pieces(number, packet))
+            if reads:  # what glCopyPixels copies must be there
+                self.screen.execute([packet])
+
+    def release(self) -> None:
+        self.screen.release()
+
+    def at(self, x: int, y: int) -> Probe:
+        """All that happened to a pixel.  Raises ValueError for one outside of the picture."""
+        width, height = self.frame.width, self.frame.height
+        if not (0 <= x < width and 0 <= y < height):
+            raise ValueError(f"probe: the picture has {width} x {height} pixels, and ({x}, {y}) is not one of them")
+        up = height - 1 - int(y)
+        self.screen.reset()
+        fragments: list[Fragment] = []
+        events: list[tuple[int, str]] = []
+        for number, packet in enumerate(self.frame.packets):
+            for piece in self.pieces[number]:
+                for primitive in candidates(piece, x, up).tolist():
+                    fragment = self._fragment(packet, piece, primitive, x, up)
+                    if fragment is not None:
+                        fragments.append(fragment)
+            if isinstance(packet, (Clear, Accum, QueryMark)):
+                self.screen.execute([_at(packet, x, up)])
+                if not isinstance(packet, QueryMark):
+                    events.append((number, f"{_name(packet)}: {self._pixel(x, up)}"))
+        pixel = self._pixel(x, up)
+        last = next((fragment for fragment in reversed(fragments) if not fragment.killed), None)
+        cleared = last is None or any(number > last.packet for number, _ in events)
+        return Probe(
+            int(x), int(y), pixel, pixel if cleared or last is None else last.computed, tuple(fragments), tuple(events)
+        )
+
+    def _pixel(self, x: int, y: int) -> Bytes:
+        r, g, b, a = self.screen.read(x, y, 1, 1, "color")[0, 0].tolist()
+        return r, g, b, a
+
+    def _fragment(self, packet: Packet, piece: Piece, primitive: int, x: int, y: int) -> Fragment | None:
+        sample = self.inspector.sample(piece, primitive, x, y)
+        if sample is None:
+            return None
+        before, depth = self._pixel(x, y), float(self.screen.read(x, y, 1, 1, "depth")[0, 0])
+        stencil = int(self.screen.read(x, y, 1, 1, "stencil")[0, 0])
+        self.inspector.draw(piece, primitive, x, y)
+        after = self._pixel(x, y)
+        one = piece.only(primitive)
+        lit = shade(one, np.zeros(1, np.int64), sample.weights[None], not sample.front)
+        primary = lit.primary[0]
+        if piece.pixels is not None and piece.pixels.kind == "color":
+            left, bottom = piece.pixels.origin
+            color = piece.pixels.image[y - bottom, x - left].astype(np.float64)
+            primary = color / 255.0 if piece.pixels.image.dtype == np.uint8 else color
+        steps, killed, computed = _afterwards(one, sample, primary, lit.highlight[0], before, depth, stencil)
+        rectangle = piece.pixels is not None
+        what = (
+            _name(packet) if rectangle else f"{KINDS[piece.corners]} {primitive} of {_mode(packet, piece, primitive)}"
+        )
+        return Fragment(
+            packet=piece.packet,
+            draw=self.draws[piece.packet],
+            where=_line(self.frame, packet),
+            what=what,
+            front=sample.front,
+            shading="none" if rectangle else _shading(lit, piece),
+            vertices=() if rectangle else _vertices(one, sample, lit),
+            P=_floats(lit.P[0]),
+            N=_floats(lit.N[0]),
+            evaluations=_evaluations(one, sample, lit),
+            primary=_floats(primary),
+            highlight=_floats(lit.highlight[0]),
+            steps=tuple(steps),
+            depth=sample.depth,
+            killed=killed,
+            before=before,
+            after=after,
+            computed=computed,
+        )
+
+
+# ---------------------------------------------------------------- names
+
+
+def _name(packet: Packet) -> str:
+    if isinstance(packet, Clear):
+        return "glClear"
+    if isinstance(packet, Accum):
+        return f"glAccum({packet.operation!r})"
+    if isinstance(packet, Pixels):
+        return "glCopyPixels" if packet.copied else "glBitmap" if packet.kind == "bitmap" else "glDrawPixels"
+    return "query" if isinstance(packet, QueryMark) else repr(packet.mode)
+
+
+def _mode(packet: Packet, piece: Piece, primitive: int) -> str:
+    assert isinstance(packet, Draw)
+    if piece.corners == 3 and packet.mode in (GL_QUADS, GL_QUAD_STRIP) and piece.source is not None:
+        return f"{packet.mode!r}, quad {primitive // 2}"
+    return f"{packet.mode!r}" + (" (a whole polygon)" if packet.mode == GL_POLYGON else "")
+
+
+def _line(frame: Frame, packet: Packet) -> Where | None:
+    number = packet.call if isinstance(packet, Draw) else None
+    return frame.calls[number].where if number is not None and number < len(frame.calls) else None
+
+
+def _shading(lit: Shaded, piece: Piece) -> str:
+    lighting = piece.draw.state.lighting
+    if not lighting.enabled:
+        return "no lighting, " + ("flat" if lit.where == "provoking" else "colours interpolated")
+    names = {"provoking": "flat: the equation at the provoking vertex",
+             "vertex": "Gouraud: the equation at the vertices, colours interpolated",
+             "fragment": "Phong: normals interpolated, the equation at the fragment"}  # fmt: skip
+    return names[lit.where]
+
+
+def _floats(values: Any) -> Numbers:
+    return tuple(float(value) for value in np.ravel(values))
+
+
+def _at(packet: Clear | Accum | QueryMark, x: int, y: int) -> Packet:
+    """The packet at one pixel alone."""
+    if isinstance(packet, QueryMark):
+        return packet
+    test = packet.state.scissor
+    inside = not test.test or (test.x <= x < test.x + test.width and test.y <= y < test.y + test.height)
+    size = 1 if inside else 0
+    return packet._replace(state=packet.state._replace(scissor=Scissor(True, x, y, size, size)))
+
+
+# ---------------------------------------------------------------- the equation
+
+
+def _vertices(one: Piece, sample: Sample, lit: Shaded) -> tuple[Vertex, ...]:
+    from glsim.gl.stage import window
+
+    rows = lit.corners[0]
+    stage, weights = lit.stage, lit.weights[0]
+    on_screen = weights * stage.clip[rows, 3]
+    linear = on_screen / on_screen.sum() if on_screen.sum() else weights
+    numbers = [-1] * len(rows) if one.source is None else one.source[0].tolist()
+    at = window(stage.clip[rows], one.draw.state.viewport)
+    positions = one.draw.block.rows[one.vertices(np.zeros(1, np.int64))[0], :3]
+    colors = stage.current[rows]
+    if lit.where in ("vertex", "provoking") and lit.terms is not None:
+        colors = np.column_stack([np.clip(lit.terms.sum[rows], 0.0, 1.0), np.ones(len(rows))])
+    return tuple(
+        Vertex(
+            int(numbers[k]), _floats(positions[k]), _floats(stage.eye[row]), _floats(stage.normal[row]),
+            _floats(at[k, :3]), float(linear[k]), float(weights[k]), _floats(colors[k]),
+        )
+        for k, row in enumerate(rows)
+    )  # fmt: skip
+
+
+def _evaluations(one: Piece, sample: Sample, lit: Shaded) -> tuple[Evaluation, ...]:
+    """Where the equation ran, with all numbers."""
+    if lit.terms is None:
+        return ()
+    from glsim.gl.stage import surface
+    from glsim.machine.constants import GL_BACK, GL_FRONT
+
+    lighting, rows = one.draw.state.lighting, lit.corners[0]
+    back = lighting.two_side and not sample.front and one.corners == 3
+    chosen = one.vertices(np.zeros(1, np.int64))[0]
+    if lit.where == "fragment":
+        places = [(0, "fragment", 1.0, lit.N[0], lit.P[0])]
+        materials = one.draw.materials_at(chosen[-1:])
+        current = lit.weights @ lit.stage.current[rows]
+    else:
+        numbers = chosen if one.source is None else one.source[0]
+        corners = range(len(rows)) if lit.where == "vertex" else [len(rows) - 1]
+        sign = -1.0 if back else 1.0
+        eye = lit.stage.eye
+        places = [
+            (rows[k], f"vertex {numbers[k]}", lit.weights[0, k] if lit.where == "vertex" else 1.0,
+             sign * lit.stage.normal[rows[k]], eye[rows[k], :3] / eye[rows[k], 3])
+            for k in corners
+        ]  # fmt: skip
+        materials = one.draw.materials_at(np.unique(chosen))
+        current = lit.stage.current
+    face, _ = surface(lighting, GL_BACK if back else GL_FRONT, materials, current)
+    enabled = [number for number, on in enumerate(lighting.light_enabled) if on]
+    vector = "R" if lighting.lobe == GL_PHONG_LOBE_GLSIM else "H"
+    total = lit.terms.sum
+    reflectances = [[_floats(entry) for entry in np.asarray(part)] for part in (face.k_a, face.k_d, face.k_s)]
+    return tuple(
+        Evaluation(
+            at, float(weight), _floats(P), _floats(N),
+            reflectances[0][row], reflectances[1][row], reflectances[2][row], float(np.asarray(face.n)[row, 0]),
+            _floats(lit.terms.emission[row]), _floats(lit.terms.glow[row]), lighting.ambient[:3],
+            tuple(_light(number, lighting.lights[number], light, row, vector)
+                  for number, light in zip(enabled, lit.terms.lights, strict=True)),
+            _floats(total[row]), _floats(np.clip(total[row], 0.0, 1.0)),
+        )
+        for row, at, weight, N, P in places
+    )  # fmt: skip
+
+
+def _light(number: int, source: Any, c: Contribution, row: int, vector: str) -> LightTerms:
+    def one(values: NDArray[np.float64]) -> float:
+        return float(np.broadcast_to(values, (*c.L.shape[:-1], 1))[row, 0])
+
+    def three(values: NDArray[np.float64]) -> Numbers:
+        return _floats(np.broadcast_to(values, c.L.shape)[row])
+
+    return LightTerms(
+        number, source.ambient[:3], source.diffuse[:3], source.specular[:3], three(c.L), one(c.d), one(c.attenuation),
+        one(c.spot), one(dot(c.N, c.L)), three(c.V), vector, three(c.H_or_R), one(c.cosine), one(c.power),
+        three(c.ambient), three(c.diffuse), three(c.specular),
+    )  # fmt: skip
+
+
+# ---------------------------------------------------------------- after lighting
+
+
+def _afterwards(
+    one: Piece,
+    sample: Sample,
+    primary: NDArray[np.float64],
+    highlight: NDArray[np.float64],
+    before: Bytes,
+    depth: float,
+    stencil: int,
+) -> tuple[list[Step], str, Bytes]:
+    """Texture, highlight, fog, coverage, tests, blending: the steps, the test that failed, the pixel's 8 bits then."""
+    state = one.draw.state
+    steps: list[Step] = []
+    color = primary
+    for step in textured(state.texture.units, primary, sample.texels):
+        color = step.color
+        texel = ", ".join(f"{value:.4f}" for value in step.texel)
+        steps.append(Step(f"texture unit {step.unit}", f"{step.environment!r} with texel ({texel})", _floats(color)))
+    if (highlight > 0.0).any() or state.fog.color_sum:
+        color = np.append(np.minimum(color[:3] + highlight, 1.0), color[3])
+        steps.append(Step("highlight", "added after texturing", _floats(color)))
+    if state.fog.enabled:
+        f = fog_factor(state.fog, sample.fog_distance)
+        color = np.append(f * color[:3] + (1.0 - f) * np.array(state.fog.color[:3]), color[3])
+        words = f"f C + (1 - f) C_fog, f = {f:.4f} at distance {sample.fog_distance:.4f}"
+        steps.append(Step("fog", words, _floats(color)))
+    if sample.coverage != 1.0:
+        color = np.append(color[:3], color[3] * sample.coverage)
+        steps.append(Step("coverage", f"alpha times {sample.coverage:.4f}", _floats(color)))
+    killed = _tests(one, sample, color, depth, stencil, steps)
+    if killed:
+        return steps, killed, before
+    return steps, "", _written(one, color, before, steps)
+
+
+def _tests(
+    one: Piece, sample: Sample, color: NDArray[np.float64], depth: float, stencil: int, steps: list[Step]
+) -> str:
+    """The name of the first test the fragment fails, "" if it passes all."""
+    state = one.draw.state
+    buffers = state.color_buffer
+    checks: list[tuple[str, int, int, int]] = []  # name, comparison, the fragment's number, what it is compared with
+    if buffers.alpha_test:
+        checks.append(
+            ("alpha test", buffers.alpha_func, *to_8_bits(np.array([color[3], buffers.alpha_reference])).tolist())
+        )
+    if state.stencil.test:
+        mask, reference = state.stencil.value_mask & 255, min(max(state.stencil.reference, 0), 255)
+        checks.append(("stencil test", state.stencil.func, reference & mask, stencil & mask))
+    if state.depth.test:
+        checks.append(("depth test", state.depth.func, round(sample.depth * DEPTHS), round(depth * DEPTHS)))
+    for name, func, mine, stored in checks:
+        passed = COMPARISONS[func](mine, stored)
+        scale = DEPTHS if name == "depth test" else 1
+        shown = f"{mine / scale:.7g} {WORDS[func]} {stored / scale:.7g}"
+        steps.append(Step(name, shown if passed else f"{shown} is false", _floats(color), passed))
+        if not passed:
+            return name
+    return ""
+
+
+def _written(one: Piece, color: NDArray[np.float64], before: Bytes, steps: list[Step]) -> Bytes:
+    """Blending or logic op, masks, 8 bits."""
+    buffers = one.draw.state.color_buffer
+    old = np.array(before)
+    if buffers.logic_op_enabled:
+        result = logic_op(buffers.logic_op, to_8_bits(color), old)
+        steps.append(Step("logic op", f"{buffers.logic_op!r}", _floats(result / 255.0)))
+    else:
+        if buffers.blend:
+            color = np.clip(blended(buffers, np.clip(color, 0.0, 1.0), old / 255.0), 0.0, 1.0)
+            names = f"{buffers.blend_equation!r} with {buffers.blend_function[0]!r}, {buffers.blend_function[1]!r}"
+            steps.append(Step("blending", f"{names} over {before}", _floats(color)))
+        result = to_8_bits(color)
+    mask = np.array(buffers.mask) & (buffers.draw_buffer != GL_NONE)
+    if not mask.all():
+        kept = "".join(name for name, writes in zip("RGBA", mask, strict=True) if not writes)
+        steps.append(Step("colour mask", f"{kept} kept", _floats(np.where(mask, result, old) / 255.0)))
+    r, g, b, a = np.where(mask, result, old).tolist()
+    return r, g, b, a

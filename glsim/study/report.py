@@ -1,0 +1,139 @@
+"""A Probe as tables for the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
+
+from glsim.study.probe import Evaluation, Fragment, LightTerms, Probe
+
+
+def number(value: float) -> str:
+    """At most four digits after the point; 0.0000 is only written for what is not 0."""
+    return f"{value:.4g}" if value == 0 or abs(value) >= 1000 else f"{value:.4f}"
+
+
+def vector(values: Sequence[float]) -> str:
+    return "(" + ", ".join(number(value) for value in values) + ")"
+
+
+def swatch(color: Sequence[int]) -> Text:
+    r, g, b = color[:3]
+    return Text.assemble(("    ", f"on rgb({r},{g},{b})"), f" ({r}, {g}, {b}, {color[3]})  #{r:02x}{g:02x}{b:02x}")
+
+
+def place(fragment: Fragment) -> str:
+    where = fragment.where
+    if where is None:
+        return ""
+    return f"{Path(where.file).name}:{where.line}" + (f" ({where.via})" if where.via else "")
+
+
+def probe_report(probe: Probe) -> Group:
+    parts: list[Any] = [Text.assemble((f"Pixel ({probe.x}, {probe.y})  ", "bold"), swatch(probe.pixel))]
+    parts.append(Text.assemble("the equation gives  ", swatch(probe.computed)))
+    parts.append(_history(probe))
+    winner = probe.winner
+    if winner is None:
+        parts.append("No fragment was written here: this is the background.")
+        return Group(*parts)
+    draw = f"draw {winner.draw}, " if winner.draw >= 0 else ""
+    side = "front" if winner.front else "back"
+    title = f"{draw}{winner.what}, {side} side {place(winner)}".rstrip()
+    parts += ["", Text(f"It shows {title}", style="bold")]
+    if winner.vertices:
+        parts += [Text(winner.shading), _vertices(winner)]
+        if winner.evaluations:
+            parts.append(f"at the pixel, in eye space:  P = {vector(winner.P)}   N = {vector(winner.N)}")
+    parts += [_evaluation(evaluation) for evaluation in winner.evaluations]
+    parts.append(_afterwards(winner))
+    return Group(*parts)
+
+
+def _history(probe: Probe) -> Table:
+    table = Table(
+        "packet", "what came to the pixel", "where", "outcome", "pixel", title="History", title_justify="left"
+    )
+    rows: list[tuple[int, tuple[Any, ...]]] = []
+    for number_of, words in probe.events:
+        name, _, result = words.partition(": ")
+        rows.append((number_of, (str(number_of), name, "", "", result)))
+    for fragment in probe.fragments:
+        outcome = f"fails the {fragment.killed}" if fragment.killed else "written"
+        rows.append(
+            (fragment.packet, (str(fragment.packet), fragment.what, place(fragment), outcome, str(fragment.after)))
+        )
+    for _, row in sorted(rows, key=lambda entry: entry[0]):
+        table.add_row(*row)
+    return table
+
+
+def _vertices(fragment: Fragment) -> Table:
+    table = Table("vertex", "object space", "eye space", "normal", "on screen", title_justify="left")
+    for heading in ("linear", "hyperbolic", "R", "G", "B"):
+        table.add_column(heading, justify="right")
+    for v in fragment.vertices:
+        name = str(v.number) if v.number >= 0 else "-"
+        at = f"({v.window[0]:.1f}, {v.window[1]:.1f})"
+        weights = (f"{v.linear:.4f}", f"{v.hyperbolic:.4f}")
+        table.add_row(
+            name, vector(v.position), vector(v.eye[:3]), vector(v.normal), at, *weights, *map(number, v.color[:3])
+        )
+    return table
+
+
+def _evaluation(e: Evaluation) -> Table:
+    weight = "" if e.weight == 1.0 else f", weight {e.weight:.4f}"
+    table = Table("term", "factors", title=f"The equation at the {e.at}{weight}", title_justify="left")
+    for channel in "RGB":
+        table.add_column(channel, justify="right")
+
+    def row(term: str, factors: str, values: Sequence[float] | None = None, **style: Any) -> None:
+        table.add_row(term, factors, *(map(number, values) if values else ("", "", "")), **style)
+
+    row("P, N", f"{vector(e.P)}  {vector(e.N)}")
+    row("emission", "", e.emission)
+    row("k_a", "", e.k_a)
+    row("k_d", "", e.k_d)
+    row("k_s", f"n = {e.n:g}", e.k_s)
+    row("glow", "k_a I_a, I_a of the scene " + vector(e.scene_ambient), e.glow, end_section=True)
+    for light in e.lights:
+        _light_rows(row, light)
+    row("sum", "", e.sum, style="bold")
+    row("clamped", "to [0, 1]" if e.sum != e.clamped else "nothing to clamp", e.clamped)
+    return table
+
+
+def _light_rows(row: Any, light: LightTerms) -> None:
+    name = f"light {light.light}"
+    d = "a direction" if light.d == float("inf") else f"d = {number(light.d)}"
+    row(name, f"L = {vector(light.L)}, {d}, attenuation {number(light.attenuation)}, spot {number(light.spot)}")
+    behind = "" if light.N_L > 0.0 else "  <= 0: the light is behind"
+    row("", f"N.L = {number(light.N_L)}{behind}")
+    of = "N.H" if light.vector == "H" else "R.V"
+    row("", f"{light.vector} = {vector(light.direction)}, V = {vector(light.V)}")
+    row("", f"{of} = {number(light.cosine)}, ({of})^n = {number(light.power)}")
+    row("  ambient", f"k_a I_a, I_a = {vector(light.I_a)}", light.ambient)
+    row("  diffuse", f"k_d I_d (N.L), I_d = {vector(light.I_d)}", light.diffuse)
+    row("  specular", f"k_s I_s ({of})^n, I_s = {vector(light.I_s)}", light.specular, end_section=True)
+
+
+def _afterwards(fragment: Fragment) -> Table:
+    table = Table("step", "how", title="From there to the picture", title_justify="left")
+    for channel in "RGBA":
+        table.add_column(channel, justify="right")
+    how = {
+        "vertex": "the vertices' colours times their hyperbolic weights",
+        "provoking": "the provoking vertex' colour",
+    }
+    words = next((text for key, text in how.items() if key in fragment.shading), "")
+    table.add_row("colour", words, *map(number, fragment.primary))
+    for step in fragment.steps:
+        table.add_row(step.name, step.formula, *map(number, step.color))
+    table.add_row("8 bits", f"round(255 x), before {fragment.before}", *map(str, fragment.computed), style="bold")
+    return table
