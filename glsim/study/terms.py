@@ -1,0 +1,148 @@
+"""The picture taken apart: the summands of the illumination equation as images that add up."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.files import write_atomically
+from glsim.machine.constants import GL_PHONG_LOBE_GLSIM
+from glsim.machine.frame import Frame
+from glsim.render.context import Offscreen, offscreen
+from glsim.render.inspect import Inspector, Piece, Survey
+from glsim.shading import normalize
+from glsim.study.fragments import Shaded, shade
+from glsim.study.frames import frame_of
+
+if TYPE_CHECKING:
+    from PIL import Image
+
+Float = NDArray[np.float64]
+
+
+@dataclass
+class Terms:
+    """Images of (height, width, ...), top row first, float64.
+
+    picture: what is seen, (height, width, 4) uint8.  summands: by name, (height, width, 3), not clamped: "emission",
+    "scene ambient", "light 0 ambient", "light 0 diffuse", "light 0 specular", ..., and "unlit" for what is drawn
+    without lighting.  Where several fragments were blended it is the last that counts; texture and fog come later.
+    normal: in eye space; N_L, cosine: by light, (height, width), cosine is N.H or R.V; depth: in [0, 1].
+    covered: where something was drawn; lit: with lighting; clamped: where clamping to [0, 1] changed the colour.
+    vector: "H" or "R", of the last lit Draw.
+    """
+
+    picture: NDArray[np.uint8]
+    depth: NDArray[np.float32]
+    covered: NDArray[np.bool_]
+    lit: NDArray[np.bool_]
+    clamped: NDArray[np.bool_]
+    normal: Float
+    summands: dict[str, Float] = field(default_factory=dict)
+    N_L: dict[int, Float] = field(default_factory=dict)
+    cosine: dict[int, Float] = field(default_factory=dict)
+    vector: str = "H"
+
+    @property
+    def sum(self) -> Float:
+        """All summands together, not clamped: (height, width, 3)."""
+        return np.asarray(sum(self.summands.values(), np.zeros_like(self.normal)))
+
+    @property
+    def lights(self) -> list[int]:
+        return sorted(self.N_L)
+
+    def statistics(self) -> dict[str, Any]:
+        """For each summand its mean and largest value over the covered pixels, and how many pixels were clamped."""
+        covered = self.covered if self.covered.any() else np.ones_like(self.covered)
+        means = {name: image[covered].mean(axis=0).round(6).tolist() for name, image in self.summands.items()}
+        largest = {name: round(float(image[covered].max()), 6) for name, image in self.summands.items()}
+        return {
+            "pixels": int(self.covered.sum()), "lit": int(self.lit.sum()), "clamped": int(self.clamped.sum()),
+            "mean": means, "largest": largest,
+        }  # fmt: skip
+
+    @property
+    def sheet(self) -> Image.Image:
+        """All images, labelled."""
+        from glsim.study.sheet import terms_sheet
+
+        return terms_sheet(self)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the sheet; the file's ending says the format."""
+        sheet = self.sheet
+        write_atomically(path, lambda name: sheet.save(name))
+
+    def _repr_png_(self) -> bytes | None:
+        return self.sheet._repr_png_()
+
+
+def terms(what: Any, **options: Any) -> Terms:
+    """Take the picture of ``what`` apart.
+
+    what: a Frame (glsim.capture), or anything else that study.frames.frame_of takes, with its options.
+    """
+    from glsim.machine.current import current_machine, make_current
+    from glsim.machine.machine import Machine
+
+    frame: Frame = frame_of(what, **options)
+    before = current_machine()
+    screen: Offscreen = offscreen(frame.width, frame.height)
+    try:
+        survey = Inspector(screen).survey(frame.packets)
+        picture = screen.pixels()
+    finally:
+        screen.release()
+        make_current(before if isinstance(before, Machine) else None)
+    return taken_apart(survey, picture)
+
+
+def taken_apart(survey: Survey, picture: NDArray[np.uint8]) -> Terms:
+    shape = survey.piece.shape
+    no: NDArray[np.bool_] = np.zeros(shape, bool)
+    result = Terms(picture, survey.depth, survey.piece >= 0, no.copy(), no.copy(), np.zeros((*shape, 3)))
+    for name in ("emission", "scene ambient"):
+        result.summands[name] = np.zeros((*shape, 3))
+    order = np.flatnonzero(result.covered)
+    groups = survey.piece.ravel()[order] * 2 + survey.front.ravel()[order]
+    order = order[np.argsort(groups, kind="stable")]
+    groups = np.sort(groups, kind="stable")
+    starts = np.flatnonzero(np.diff(groups, prepend=-1))
+    for start, end in zip(starts, [*starts[1:], len(order)], strict=True):
+        at = np.unravel_index(order[start:end], shape)
+        piece = survey.pieces[int(groups[start]) // 2]
+        lit = shade(piece, survey.primitive[at], survey.weights[at], back=not groups[start] % 2)
+        _add(result, at, piece, lit)
+    return result
+
+
+def _add(result: Terms, at: Any, piece: Piece, lit: Shaded) -> None:
+    """Write the terms of some pixels."""
+
+    def put(images: dict[Any, Float], name: Any, values: Float) -> None:
+        values = lit.spread(values) if lit.terms is not None else values
+        if name not in images:
+            images[name] = np.zeros(result.normal.shape[: 2 if values.shape[1] == 1 else 3])
+        images[name][at] = values[:, 0] if values.shape[1] == 1 else values
+
+    result.normal[at] = normalize(lit.N)
+    if lit.terms is None:
+        put(result.summands, "unlit", lit.primary[:, :3])
+        return
+    result.lit[at] = True
+    result.clamped[at] = np.any(lit.spread(lit.terms.sum) - (lit.primary[:, :3] + lit.highlight) > 0.5 / 255.0, axis=1)
+    put(result.summands, "emission", lit.terms.emission)
+    put(result.summands, "scene ambient", lit.terms.glow)
+    lighting = piece.draw.state.lighting
+    result.vector = "R" if lighting.lobe == GL_PHONG_LOBE_GLSIM else "H"
+    numbers = [number for number, on in enumerate(lighting.light_enabled) if on]
+    for number, light in zip(numbers, lit.terms.lights, strict=True):
+        for name in ("ambient", "diffuse", "specular"):
+            put(result.summands, f"light {number} {name}", getattr(light, name))
+        put(result.N_L, number, light.N_L)
+        put(result.cosine, number, light.cosine)
