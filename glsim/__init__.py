@@ -26,6 +26,13 @@ if TYPE_CHECKING:
     from glsim.study.capture import program_source as program_source
     from glsim.study.compare import Comparison as Comparison
     from glsim.study.compare import compare as compare
+    from glsim.study.explain import explain as explain
+    from glsim.study.frames import frame_of as frame_of
+    from glsim.study.probe import Probe as Probe
+    from glsim.study.probe import probe as probe
+    from glsim.study.terms import Terms as Terms
+    from glsim.study.terms import terms as terms
+    from glsim.study.trace import trace as trace
 
 _HOME = {
     "offscreen": "glsim.render.context",
@@ -36,6 +43,13 @@ _HOME = {
     "program_source": "glsim.study.capture",
     "Comparison": "glsim.study.compare",
     "compare": "glsim.study.compare",
+    "explain": "glsim.study.explain",
+    "frame_of": "glsim.study.frames",
+    "Probe": "glsim.study.probe",
+    "probe": "glsim.study.probe",
+    "Terms": "glsim.study.terms",
+    "terms": "glsim.study.terms",
+    "trace": "glsim.study.trace",
 }
 __all__ = ["__version__", *_HOME]
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 from glsim.machine.errors import GLError
 
 if TYPE_CHECKING:
+    from glsim.machine.frame import Frame
     from glsim.scenes import Camera, Lamp
 
 
@@ -59,6 +60,10 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     _add_compare(commands)
     _add_run(commands)
+    _add_probe(commands)
+    _add_terms(commands)
+    _add_explain(commands)
+    _add_trace(commands)
     doctor = commands.add_parser("doctor", help="say what this machine can draw with, and what to install")
     doctor.add_argument("--json", action="store_true", help="print one JSON object")
     doctor.set_defaults(run=_doctor)
@@ -131,13 +136,11 @@ def _compare(options: argparse.Namespace) -> int:
     if not options.scene:
         print("glsim compare: name a scene or a mesh file; --list shows the built-in scenes", file=sys.stderr)
         return 2
-    from PIL import Image
     from rich.console import Console
 
     from glsim.study.compare import compare
 
-    if Path(options.output).suffix.lower() not in Image.registered_extensions():
-        raise ValueError(f"{options.output}: the name must end in .png, .jpg or another picture format")
+    _check_picture_name(options.output)
 
     with Console(stderr=True).status("") as status:
         result = compare(
@@ -167,6 +170,14 @@ def _compare(options: argparse.Namespace) -> int:
     console.print(table)
     print(f"wrote {options.output}")
     return 0
+
+
+def _check_picture_name(name: str) -> None:
+    """Before the work begins."""
+    from PIL import Image
+
+    if Path(name).suffix.lower() not in Image.registered_extensions():
+        raise ValueError(f"{name}: the name must end in .png, .jpg or another picture format")
 
 
 def _list(options: argparse.Namespace) -> int:
@@ -251,6 +262,136 @@ def _run(options: argparse.Namespace) -> int:
         where = f", pictures in {out}" if record["pictures"] else ""
         print(f"{options.script}: {record['status']}, {record['frames']} frames{where}")
     return 0 if record["status"] == "ok" else 1
+
+
+# ---------------------------------------------------------------- probe, terms, explain, trace
+
+SUBJECT = "a GLUT program (.py), a built-in scene or a mesh file"
+
+
+def _add_study(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
+    """A command that looks at the Frame of a program or scene."""
+    p: argparse.ArgumentParser = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
+    p.add_argument("what", metavar="SCRIPT|SCENE", help=SUBJECT)
+    p.add_argument("--frame", type=_number, default=0, metavar="N", help="which picture of a program (default: 0)")
+    p.add_argument("--events", default="", metavar='"key a;..."', help="events before it, as for glsim run")
+    p.add_argument("--size", type=_size, default=512, metavar="N", help="pixels of a scene's picture")
+    p.add_argument("--timeout", type=float, default=60.0, metavar="SECONDS", help="for a program (default: 60)")
+    p.add_argument("--json", action="store_true", help="print one JSON object")
+    return p
+
+
+def _number(text: str) -> int:
+    if not text.isdigit() or int(text) > 1_000_000:
+        raise argparse.ArgumentTypeError(f"a number from 0 on is needed, not {text!r}")
+    return int(text)
+
+
+def _frame_of(options: argparse.Namespace, calls: bool) -> Frame:
+    from glsim.study.frames import frame_of
+    from glsim.study.run import events_from
+
+    events = events_from("", options.events)
+    return frame_of(
+        options.what, size=options.size, calls=calls, step=max(options.frame, len(events)), events=events,
+        timeout=options.timeout,
+    )  # fmt: skip
+
+
+def _console() -> Any:
+    from rich.console import Console
+
+    console = Console()
+    return console if console.is_terminal else Console(width=160)
+
+
+def _add_probe(commands: Any) -> None:
+    p = _add_study(commands, "probe", "say why a pixel has its colour: every factor of every term")
+    p.add_argument("x", type=_number, metavar="X", help="pixels from the left")
+    p.add_argument("y", type=_number, metavar="Y", help="pixels from the top")
+    p.add_argument("--latex", action="store_true", help="print the equation as LaTeX")
+    p.set_defaults(run=_probe)
+
+
+def _probe(options: argparse.Namespace) -> int:
+    from glsim.study.probe import probe
+
+    result = probe(_frame_of(options, calls=str(options.what).endswith(".py")), options.x, options.y)
+    if options.json:
+        print(json.dumps({"status": "ok", **result.as_dict()}))
+    elif options.latex:
+        print(result.latex())
+    else:
+        _console().print(result)
+    return 0
+
+
+def _add_terms(commands: Any) -> None:
+    p = _add_study(commands, "terms", "take the picture apart: the terms of each light, and their factors")
+    p.add_argument("-o", "--output", metavar="FILE", default="terms.png", help="the sheet (default: terms.png)")
+    p.set_defaults(run=_terms)
+
+
+def _terms(options: argparse.Namespace) -> int:
+    from glsim.study.terms import terms
+
+    _check_picture_name(options.output)
+    result = terms(_frame_of(options, calls=False))
+    result.save(options.output)
+    if options.json:
+        print(json.dumps({"status": "ok", "output": options.output, **result.statistics()}))
+        return 0
+    found = result.statistics()
+    print(f"wrote {options.output}: {found['lit']} lit pixels, {found['clamped']} of them clamped")
+    return 0
+
+
+def _add_explain(commands: Any) -> None:
+    p = _add_study(commands, "explain", "say which call set each constant and uniform of a draw")
+    p.add_argument("--draw", type=_number, default=None, metavar="N", help="only this draw (default: all)")
+    p.add_argument("--glsl", action="store_true", help="print the GLSL without the branches that are not taken")
+    p.set_defaults(run=_explain)
+
+
+def _explain(options: argparse.Namespace) -> int:
+    from glsim.study.explain import explain
+
+    found = explain(_frame_of(options, calls=True), options.draw)
+    if options.json:
+        listed = [{**entry.as_dict(), **({"glsl": entry.glsl} if options.glsl else {})} for entry in found]
+        print(json.dumps({"status": "ok", "draws": listed}))
+    elif options.glsl:
+        for program in dict.fromkeys(entry.program for entry in found):
+            same = [entry for entry in found if entry.program == program]
+            for stage, text in same[0].glsl.items():
+                print(f"// ---- {stage} shader of draw {', '.join(str(entry.draw) for entry in same)}\n{text}")
+    else:
+        from glsim.study.report import explanations
+
+        for table in explanations(found):
+            _console().print(table)
+    return 0
+
+
+def _add_trace(commands: Any) -> None:
+    p = _add_study(commands, "trace", "print the calls with what each changed, and classic mistakes")
+    p.add_argument("--mistakes", action="store_true", help="print the mistakes only; exit code 1 if there are any")
+    p.set_defaults(run=_trace)
+
+
+def _trace(options: argparse.Namespace) -> int:
+    from glsim.study.report import calls_table, mistakes_list
+    from glsim.study.trace import trace
+
+    found = trace(_frame_of(options, calls=True))
+    if options.json:
+        print(json.dumps({"status": "ok", **found.as_dict()}))
+    else:
+        console = _console()
+        if not options.mistakes:
+            console.print(calls_table(found))
+        console.print(mistakes_list(found))
+    return 1 if options.mistakes and found.mistakes else 0
 
 
 # ---------------------------------------------------------------- doctor

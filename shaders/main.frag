@@ -67,7 +67,7 @@ void main()
         if (covered == 0.0) discard;
         color.a *= covered;
     }
-    if (!alpha_test(color.a)) discard;
+    if (ALPHA_FUNC != GL_ALWAYS && !alpha_test(color.a)) discard;
     fragment_color = color;
 #if PROBE
     probe(covered);

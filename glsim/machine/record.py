@@ -81,9 +81,18 @@ def users_line() -> Where | None:
         if not inner:
             return Where(name, frame.f_lineno, via)
         if code.co_name.startswith("glu"):
-            via = code.co_name
+            via = _written(frame)
         frame = frame.f_back
     return None
+
+
+def _written(frame: Any) -> str:
+    """The call of a GLU or GLUT function; with its arguments if they are numbers."""
+    code, values = frame.f_code, frame.f_locals
+    arguments = [values[name] for name in code.co_varnames[: code.co_argcount]]
+    if code.co_name.startswith("glut") or not all(type(value) in (int, float) for value in arguments):
+        return str(code.co_name)
+    return f"{code.co_name}({', '.join(format(value, 'g') for value in arguments)})"
 
 
 class ListRecorder:

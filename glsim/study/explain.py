@@ -1,0 +1,284 @@
+"""Calls -> state -> GLSL key -> uniforms: for each constant and uniform of a Draw the call that set it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from glsim.machine.assembly import corners
+from glsim.machine.constants import GL_COMBINE
+from glsim.machine.frame import Draw, Frame, Where
+from glsim.render.programs import ProgramKey, program_key, sources
+from glsim.study.frames import frame_of
+from glsim.study.glsl import specialised
+from glsim.study.provenance import BEFORE, History, Path, Provenance, call_text, value_at
+
+LIGHTING = ("lighting",)
+
+
+@dataclass(frozen=True)
+class Origin:
+    """A call that set something.  through: the glCallList whose list it is in."""
+
+    call: int
+    text: str
+    where: Where | None
+    through: str = ""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A constant or uniform.  origins: who set it last, empty for an initial value; note: what else is to be known."""
+
+    name: str
+    value: str
+    origins: tuple[Origin, ...] = ()
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """One Draw: its constants (the key) and its uniforms.  glsl: by stage, the source with the key folded in."""
+
+    draw: int
+    what: str
+    where: Where | None
+    key: list[Setting]
+    uniforms: list[Setting]
+    program: ProgramKey = field(repr=False, default=ProgramKey())
+
+    @property
+    def glsl(self) -> dict[str, str]:
+        return {stage: specialised(text) for stage, text in sources(self.program).items()}
+
+    def as_dict(self) -> dict[str, Any]:
+        from glsim.study.probe import plain
+
+        return {
+            "draw": self.draw, "what": self.what, "where": plain(self.where), "key": plain(self.key),
+            "uniforms": plain(self.uniforms),
+        }  # fmt: skip
+
+
+def explain(what: Any, draw: int | None = None, **options: Any) -> list[Explanation]:
+    """What each Draw's constants and uniforms are, and who set them.
+
+    what: a Frame captured with calls, or anything else that study.frames.frame_of takes, with its options.
+    draw: only this one.  Raises ValueError for a Draw that is not there, or a frame without calls.
+    """
+    frame = frame_of(what, calls=True, **options)
+    draws = list(frame.draws)
+    if draw is not None and not 0 <= draw < len(draws):
+        raise ValueError(f"explain: the frame has {len(draws)} draws, numbered from 0, and {draw} is not one of them")
+    wanted: dict[int, list[int]] = {}
+    for number, packet in enumerate(draws):
+        if packet.call is None:
+            raise ValueError("explain: the calls of this frame were not recorded: use capture(calls=True)")
+        if draw is None or number == draw:
+            wanted.setdefault(packet.call, []).append(number)
+    found: dict[int, Explanation] = {}
+    for number, *_, provenance in History(frame).walk():
+        for which in wanted.get(number, ()):
+            found[which] = _Explainer(frame, draws[which], provenance).explanation(which)
+    return [found[number] for number in sorted(found)]
+
+
+class _Explainer:
+    def __init__(self, frame: Frame, draw: Draw, provenance: Provenance) -> None:
+        self.frame, self.draw, self.provenance = frame, draw, provenance
+
+    def explanation(self, number: int) -> Explanation:
+        draw = self.draw
+        key = program_key(draw.state, corners(draw.mode))
+        call = self.frame.calls[draw.call or 0]
+        what = f"{draw.mode!r}, {draw.count} vertices"
+        return Explanation(number, what, call.where, list(self._key(key)), list(self._uniforms(key)), key)
+
+    # ------------------------------------------------------------ origins
+
+    def _origin(self, call: int, through: int | None = None) -> Origin:
+        if call == BEFORE:
+            return Origin(call, "before the recording began", None)
+        listed = f"in the list of {call_text(self.frame.calls[through])}" if through is not None else ""
+        return Origin(call, call_text(self.frame.calls[call]), self.frame.calls[call].where, listed)
+
+    def _origins(self, *paths: Path) -> tuple[Origin, ...]:
+        """Who set these pieces of state, each call once, in order."""
+        found = {}
+        for path in paths:
+            for known, call in self.provenance.setters.items():
+                if known[: len(path)] == path:
+                    found[call] = self._origin(call, self.provenance.through.get(known))
+        return tuple(found[call] for call in sorted(found))
+
+    def _chain(self, calls: Iterable[int]) -> tuple[Origin, ...]:
+        """The calls of a product; those that one GLU function made are one."""
+        result: list[Origin] = []
+        for call in calls:
+            origin = self._origin(call)
+            via = origin.where.via if origin.where is not None else ""
+            if not via or not result or result[-1].where != origin.where:
+                result.append(replace(origin, text=via) if via else origin)
+        return tuple(result)
+
+    def _state(self, name: str, *path: str | int, note: str = "") -> Setting:
+        value = value_at(self.draw.state, self.draw.material, path)
+        return Setting(name, value_text(value), self._origins(path), note)
+
+    # ------------------------------------------------------------ the key
+
+    def _key(self, key: ProgramKey) -> Iterator[Setting]:
+        """The constants that matter, in the order of shaders/: what differs from the plainest program."""
+        lighting = self.draw.state.lighting
+        shading = self._origins(("lighting", "shade_model"))
+        yield Setting("SHADED", "flat" if key.flat else "smooth", shading)
+        yield Setting("LIGHTING", value_text(key.lighting), self._origins(("lighting", "enabled")))
+        if key.lighting:
+            yield Setting("PER_FRAGMENT", value_text(key.per_fragment), shading)
+            for k, kind in enumerate(key.lights):
+                light = ("lighting", "lights", kind.number)
+                enabled = self._origins(("lighting", "light_enabled", kind.number))
+                yield Setting(f"LIGHT_NUMBER[{k}]", str(kind.number), enabled)
+                yield Setting(
+                    f"LIGHT_IS_POSITIONAL[{k}]", value_text(kind.positional), self._origins((*light, "position"))
+                )
+                factors = [(*light, f"{name}_attenuation") for name in ("constant", "linear", "quadratic")]
+                yield Setting(f"LIGHT_IS_ATTENUATED[{k}]", value_text(kind.attenuated), self._origins(*factors))
+                yield Setting(f"LIGHT_IS_SPOT[{k}]", value_text(kind.spot), self._origins((*light, "spot_cutoff")))
+            for name, at in (
+                ("LOBE_IS_PHONG", "lobe"), ("FLIP_NORMAL", "back_lighting"), ("LOCAL_VIEWER", "local_viewer"),
+                ("TWO_SIDE", "two_side"), ("SEPARATE_SPECULAR", "color_control"),
+            ):  # fmt: skip
+                yield Setting(name, value_text(getattr(key, name.lower())), self._origins(("lighting", at)))
+            if lighting.color_material:
+                fields = ("color_material", "color_material_face", "color_material_mode")
+                who = self._origins(*(("lighting", name) for name in fields))
+                for name in ("front_tracks", "back_tracks"):
+                    yield Setting(name.upper(), _tracks(getattr(key, name)), who)
+        yield from self._rest_of_key(key)
+
+    def _rest_of_key(self, key: ProgramKey) -> Iterator[Setting]:
+        for name, path in (
+            ("NORMALIZE", ("transform", "normalize")), ("RESCALE_NORMAL", ("transform", "rescale_normal")),
+            ("COLOR_SUM", ("fog", "color_sum")), ("POLYGON_STIPPLE", ("polygon", "stipple")),
+            ("LINE_STIPPLE", ("line", "stipple")), ("POINT_SMOOTH", ("point", "smooth")),
+        ):  # fmt: skip
+            if getattr(key, name.lower()) or (name == "NORMALIZE" and key.lighting):
+                yield Setting(name, value_text(getattr(key, name.lower())), self._origins(path))
+        if key.fog:
+            yield Setting("FOG", repr(key.fog), self._origins(("fog", "enabled"), ("fog", "mode")))
+        if self.draw.state.color_buffer.alpha_test:
+            paths = (("color_buffer", "alpha_test"), ("color_buffer", "alpha_func"))
+            yield Setting("ALPHA_FUNC", repr(key.alpha_func), self._origins(*paths))
+        for number, on in enumerate(key.clip_plane):
+            if on:
+                yield Setting(f"CLIP_PLANE[{number}]", "true", self._origins(("transform", "clip_enabled", number)))
+        for unit in key.units:
+            at: Path = ("texture", "units", unit.number)
+            yield Setting(f"TEXTURE_{unit.number}", "1", self._origins((*at, "enabled"), (*at, "names")))
+            environment = [(*at, "environment"), *([(*at, "combine")] if unit.environment == GL_COMBINE else [])]
+            yield Setting(f"TEXENV[{unit.number}]", repr(unit.environment), self._origins(*environment))
+            if any(unit.generated):
+                modes = ", ".join(repr(mode) if mode else "-" for mode in unit.generated)
+                who = self._origins((*at, "generated"), (*at, "generators"))
+                yield Setting(f"TEXGEN of unit {unit.number}", modes, who)
+
+    # ------------------------------------------------------------ the uniforms
+
+    def _uniforms(self, key: ProgramKey) -> Iterator[Setting]:
+        names = ["modelview", "projection", *(f"texture{unit.number}" for unit in key.units)]
+        for at, name in enumerate(names):
+            matrix = self.draw.matrices[at if at < 2 else min(2 + int(name[-1]), len(self.draw.matrices) - 1)]
+            chain = self._chain(self.provenance.chains[name][-1])
+            yield Setting(f"transform.{name}", matrix_text(matrix.get()), chain, "the product of these calls, in order")
+        yield self._color(key)
+        if key.lighting:
+            yield from self._lighting(key)
+        state = self.draw.state
+        if key.fog:
+            for name in ("color", "density", "start", "end"):
+                yield self._state(f"fog {name}", "fog", name)
+        if key.points:
+            yield self._state("point size", "point", "size")
+        if corners(self.draw.mode) == 2:
+            yield self._state("line width", "line", "width")
+        if state.color_buffer.alpha_test:
+            yield self._state("alpha reference", "color_buffer", "alpha_reference")
+        for number, on in enumerate(key.clip_plane):
+            if on:
+                path: Path = ("transform", "clip_planes", number)
+                yield self._state(f"clip_planes[{number}]", *path, note=self._placed(path))
+        for unit in key.units:
+            yield self._state(f"units[{unit.number}].environment_color", "texture", "units", unit.number,
+                              "environment_color")  # fmt: skip
+
+    def _color(self, key: ProgramKey) -> Setting:
+        """The current colour: of all vertices, if they agree."""
+        block = self.draw.block
+        rows = block.rows[self.draw.first : self.draw.first + self.draw.count, 6:10]
+        one = self.draw.color is not None or bool((rows == rows[:1]).all())
+        value = (
+            value_text(tuple(map(float, rows[0] if self.draw.color is None else self.draw.color))) if len(rows) else "-"
+        )
+        last = self.provenance.registers.get("glColor")
+        origins = () if last is None else (self._origin(last),)
+        tracked = self.draw.state.lighting.color_material
+        note = "has no effect: GL_LIGHTING is on and GL_COLOR_MATERIAL is off" if key.lighting and not tracked else ""
+        return Setting("color", value if one else "one for each vertex", origins, note)
+
+    def _lighting(self, key: ProgramKey) -> Iterator[Setting]:
+        lighting = self.draw.state.lighting
+        sides = ["front", *(["back"] if key.two_side else [])]
+        for side in sides:
+            for name, at in (("k_a", "ambient"), ("k_d", "diffuse"), ("k_s", "specular"), ("emission", "emission"),
+                             ("n", "shininess")):  # fmt: skip
+                yield self._state(f"material.{side}.{name}", "material", side, at)
+        yield self._state("scene_ambient", "lighting", "ambient")
+        for kind in key.lights:
+            light: Path = ("lighting", "lights", kind.number)
+            place = (*light, "position")
+            yield self._state(f"lights[{kind.number}].position", *place, note=self._placed(place))
+            for name, at in (("I_a", "ambient"), ("I_d", "diffuse"), ("I_s", "specular")):
+                yield self._state(f"lights[{kind.number}].{name}", *light, at)
+            if kind.spot:
+                place = (*light, "spot_direction")
+                yield self._state(f"lights[{kind.number}].spot", *place, note=self._placed(place))
+                yield self._state(f"lights[{kind.number}] cutoff", *light, "spot_cutoff")
+                yield self._state(f"lights[{kind.number}] exponent", *light, "spot_exponent")
+            if kind.attenuated:
+                for name in ("constant", "linear", "quadratic"):
+                    yield self._state(f"lights[{kind.number}].attenuation {name}", *light, f"{name}_attenuation")
+        assert lighting.enabled
+
+    def _placed(self, path: Path) -> str:
+        """In eye space by the modelview at the time of the call."""
+        placed = self.provenance.placed.get(path)
+        if placed is None:
+            return "in eye space"
+        made = " * ".join(origin.text for origin in self._chain(placed.chain))
+        return f"in eye space; the modelview then was {matrix_text(placed.modelview)}" + (f" = {made}" if made else "")
+
+
+def _tracks(flags: tuple[bool, ...]) -> str:
+    names = ("ambient", "diffuse", "specular", "emission")
+    return ", ".join(name for name, on in zip(names, flags, strict=True) if on) or "nothing"
+
+
+def value_text(value: Any) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, tuple):
+        return "(" + ", ".join(map(value_text, value)) + ")"
+    return repr(value)
+
+
+def matrix_text(columns: Any) -> str:
+    """Row by row, as in mathematics."""
+    if np.array_equal(columns, np.eye(4)):
+        return "identity"
+    return "[" + "; ".join(" ".join(f"{value:.4g}" for value in row) for row in np.asarray(columns).T) + "]"

@@ -1,0 +1,245 @@
+"""Classic mistakes, each found in the calls and the Draws of a program and said in a sentence."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.gl.stage import illumination, vertex_stage, window
+from glsim.machine.assembly import corners
+from glsim.machine.constants import (
+    GL_COLOR_BUFFER_BIT,
+    GL_COLOR_MATERIAL,
+    GL_DEPTH_BUFFER_BIT,
+    GL_FRONT,
+    GL_SMOOTH,
+)
+from glsim.machine.frame import Call, Draw, Frame, Moment, Where
+from glsim.render.batch import assembled
+from glsim.shading import normalize
+from glsim.study.provenance import BEFORE, Path, Provenance, call_text
+
+Float = NDArray[np.float64]
+MOST = 3000  # primitives of a Draw that are looked at
+
+# kind -> what is said
+DIAGNOSES = {
+    "normals-scaled": "normals have length {length} in eye space, because the modelview matrix scales:"
+    " glEnable(GL_NORMALIZE)",
+    "normals-not-unit": "normals have length {length} in eye space (glNormal got {given}): glEnable(GL_NORMALIZE)",
+    "light-before-camera": "the position of GL_LIGHT{light} was set before {camera}: it is fixed to the camera;"
+    " set GL_POSITION after gluLookAt to fix it in the world",
+    "lighting-without-normals": "GL_LIGHTING is on, but no normal was ever set: every vertex has (0, 0, 1), so the"
+    " light does not depend on the surface; call glNormal before glVertex",
+    "color-material-order": "glEnable(GL_COLOR_MATERIAL){line} came before this glColorMaterial: in between the current"
+    " colour went into ambient and diffuse of both sides; call glColorMaterial first",
+    "highlight-lost": "the highlight is lost between the vertices: inside a triangle it would be {inside:.2f},"
+    " interpolated it is {interpolated:.2f}; use more vertices, or glShadeModel(GL_PHONG_WIN)",
+    "near-plane": "{call}: the near plane is at {near:g}; it must be in front of the eye, more than 0, or depth has no"
+    " resolution",
+    "radians": "{call} turns by {angle:.4g} degrees; if {degrees:.6g} degrees were meant, leave out the conversion:"
+    " glRotate takes degrees",
+    "matrix-stack": "this glPushMatrix has no glPopMatrix: the stack grows with each frame and will overflow",
+    "depth-not-cleared": "GL_DEPTH_TEST is on, but glClear never clears the depth buffer: the next frame is hidden"
+    " behind this one; add GL_DEPTH_BUFFER_BIT",
+    "error": "{error}",
+}
+
+
+class Mistake(NamedTuple):
+    """kind: of DIAGNOSES; call: its number."""
+
+    kind: str
+    sentence: str
+    call: int
+    where: Where | None
+
+
+class Detector:
+    """Is told each call and each Draw in order, and says what is wrong."""
+
+    def __init__(self, frame: Frame) -> None:
+        self.frame = frame
+        self.color_material_on: int | None = None  # glEnable(GL_COLOR_MATERIAL) that came before any glColorMaterial
+        self.color_material_said = False
+        self.pushes: list[int] = []
+        self.cleared_color: int | None = None
+        self.cleared_depth = False
+        self.tested = False  # whether a Draw had the depth test on
+
+    def _mistake(self, kind: str, number: int, **words: Any) -> Mistake:
+        where = self.frame.calls[number].where if 0 <= number < len(self.frame.calls) else None
+        return Mistake(kind, DIAGNOSES[kind].format(**words), number, where)
+
+    def _line(self, call: int) -> str:
+        where = self.frame.calls[call].where
+        return f" (line {where.line})" if where is not None else ""
+
+    # ------------------------------------------------------------ calls
+
+    def call(self, number: int, call: Call, before: Moment, after: Moment) -> Iterator[Mistake]:
+        name, arguments = call.name, call.arguments
+        if name in ("glEnable", "glDisable") and arguments[0] == GL_COLOR_MATERIAL:
+            self.color_material_on = number if name == "glEnable" and not self.color_material_said else None
+        elif name == "glColorMaterial":
+            yield from self._color_material(number, before, after)
+        elif name.startswith("glRotate") and _is_radians(float(arguments[0])):
+            angle = float(arguments[0])
+            yield self._mistake("radians", number, call=call_text(call), angle=angle, degrees=math.degrees(angle))
+        elif name == "glFrustum" or _via(call).startswith("gluPerspective"):
+            near = _near(call)
+            if near is not None and near <= 0.0:
+                yield self._mistake("near-plane", number, call=_via(call) or call_text(call), near=near)
+        elif name == "glPushMatrix" and after is not before:
+            self.pushes.append(number)
+        elif name == "glPopMatrix" and self.pushes and after is not before:
+            self.pushes.pop()
+        elif name == "glClear":
+            if int(arguments[0]) & GL_COLOR_BUFFER_BIT:
+                self.cleared_color = number
+            self.cleared_depth |= bool(int(arguments[0]) & GL_DEPTH_BUFFER_BIT)
+
+    def _color_material(self, number: int, before: Moment, after: Moment) -> Iterator[Mistake]:
+        old, new = before.state.lighting, after.state.lighting
+        same = old.color_material_face == new.color_material_face and old.color_material_mode == new.color_material_mode
+        if self.color_material_on is not None and not same:
+            yield self._mistake("color-material-order", number, line=self._line(self.color_material_on))
+        self.color_material_said, self.color_material_on = True, None
+
+    # ------------------------------------------------------------ draws
+
+    def draw(self, draw: Draw, provenance: Provenance) -> Iterator[Mistake]:
+        state, call = draw.state, draw.call or 0
+        self.tested |= state.depth.test
+        chosen = assembled(draw)
+        if not state.lighting.enabled or not len(chosen):
+            return
+        if self._without_normals(draw, chosen, provenance):
+            yield self._mistake("lighting-without-normals", call)
+        else:
+            for kind, numbers in (*_lengths(draw, chosen), *_lost_highlight(draw, chosen)):
+                yield self._mistake(kind, call, **numbers)
+        yield from self._lights(draw, provenance)
+
+    def _without_normals(self, draw: Draw, chosen: NDArray[np.uint32], provenance: Provenance) -> bool:
+        """Whether all normals are the initial one, and the surface is not."""
+        rows = draw.block.rows[np.unique(chosen), 3:6]
+        if corners(draw.mode) != 3 or "glNormal" in provenance.registers or not (rows == (0.0, 0.0, 1.0)).all():
+            return False
+        triangles = draw.block.rows[chosen.reshape(-1, 3)[:MOST], :3].astype(np.float64)
+        faces = normalize(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]))
+        return bool(((np.abs(faces[:, 2]) < 0.99) & faces.any(axis=1)).any())
+
+    def _lights(self, draw: Draw, provenance: Provenance) -> Iterator[Mistake]:
+        cameras = self._cameras(provenance.chains["modelview"][-1])
+        if not cameras:
+            return
+        lighting = draw.state.lighting
+        for k, enabled in enumerate(lighting.light_enabled):
+            path: Path = ("lighting", "lights", k, "position")
+            setter, placed = provenance.setters.get(path, BEFORE), provenance.placed.get(path)
+            if not enabled or placed is None or setter == BEFORE or setter > cameras[0] or self._cameras(placed.chain):
+                continue
+            x, y, z, w = lighting.lights[k].position
+            if x == y == 0.0 and (z == 0.0 or w == 0.0):  # a lamp at the eye is meant to be there
+                continue
+            camera = _via(self.frame.calls[cameras[0]]) + self._line(cameras[0])
+            yield self._mistake("light-before-camera", setter, light=k, camera=camera)
+
+    def _cameras(self, chain: Sequence[int]) -> list[int]:
+        """The calls of gluLookAt among those that make a matrix."""
+        return [call for call in chain if call != BEFORE and _via(self.frame.calls[call]).startswith("gluLookAt")]
+
+    # ------------------------------------------------------------ the end
+
+    def end(self) -> Iterator[Mistake]:
+        for push in self.pushes:
+            yield self._mistake("matrix-stack", push)
+        if self.cleared_color is not None and not self.cleared_depth and self.tested:
+            yield self._mistake("depth-not-cleared", self.cleared_color)
+        if self.frame.error:
+            yield self._mistake("error", len(self.frame.calls) - 1, error=self.frame.error)
+
+
+def _via(call: Call) -> str:
+    return call.where.via if call.where is not None else ""
+
+
+def _is_radians(angle: float) -> bool:
+    """Whether an angle for glRotate looks like degrees converted to radians: a whole number of degrees, or a multiple
+    of pi / 6 in a few digits."""
+    if angle == 0.0 or abs(angle) > 2.0 * math.pi + 1e-6 or angle.is_integer():
+        return False
+    degrees, sixths = math.degrees(angle), angle * 6.0 / math.pi
+    exact = abs(degrees - round(degrees)) < 1e-6 and abs(degrees) > 0.5
+    rough = abs(sixths - round(sixths)) < 2e-3 * abs(sixths)
+    return exact or rough
+
+
+def _near(call: Call) -> float | None:
+    """The near plane of a perspective projection."""
+    if call.name == "glFrustum":
+        return float(call.arguments[4])
+    if not call.name.startswith("glMultMatrix"):
+        return None
+    m = np.asarray(call.arguments[0], float).reshape(4, 4)
+    return float(m[3, 2] / (m[2, 2] - 1.0)) if m[2, 2] != 1.0 else None
+
+
+Found = Iterator[tuple[str, dict[str, Any]]]
+
+
+def _lengths(draw: Draw, chosen: NDArray[np.uint32]) -> Found:
+    """Normals in eye space that are not of unit length."""
+    numbers = np.unique(chosen[: 3 * MOST])
+    normals = vertex_stage(draw, numbers, 0, colors=False).normal
+    lengths = np.linalg.norm(normals, axis=1)
+    wrong = np.abs(lengths - 1.0) > 0.02
+    if wrong.mean() < 0.1:
+        return
+    given = float(np.median(np.linalg.norm(draw.block.rows[numbers, 3:6].astype(float), axis=1)))
+    kind = "normals-scaled" if abs(given - 1.0) <= 0.02 else "normals-not-unit"
+    yield kind, {"length": f"{np.median(lengths[wrong]):.3g}", "given": f"{given:.3g}"}
+
+
+def _lost_highlight(draw: Draw, chosen: NDArray[np.uint32]) -> Found:
+    """Gouraud shading whose highlight is much brighter inside a triangle than its vertices tell; of triangles with more
+    than 100 pixels."""
+    lighting, face = draw.state.lighting, draw.material.front
+    shiny = max(face.specular[:3]) > 0.0 and face.shininess >= 2.0
+    if lighting.shade_model != GL_SMOOTH or corners(draw.mode) != 3 or not shiny:
+        return
+    triangles = chosen.reshape(-1, 3)
+    numbers, places = np.unique(triangles[:: max(1, len(triangles) // MOST)], return_inverse=True)
+    stage = vertex_stage(draw, numbers, 0, colors=False)
+    places = places.reshape(-1, 3)
+    places = places[(stage.clip[places, 3] > 0.0).all(axis=1)]
+    places = places[_areas(window(stage.clip, draw.state.viewport)[places, :2]) > 100.0]
+    if not len(places):
+        return
+    point = stage.eye[:, :3] / stage.eye[:, 3:]
+
+    def highlight(N: Float, P: Float) -> Float:
+        terms, _ = illumination(lighting, GL_FRONT, [draw.material] * len(P), N, P, np.ones((len(P), 4)))
+        return np.asarray(np.clip(terms.highlight, 0.0, 1.0).max(axis=1))
+
+    vertices = highlight(stage.normal, point)[places]
+    seen: list[tuple[float, float]] = []
+    for weights in ((1 / 3, 1 / 3, 1 / 3), (0.5, 0.5, 0.0), (0.5, 0.0, 0.5), (0.0, 0.5, 0.5)):
+        N = normalize(np.einsum("k,nkc->nc", weights, stage.normal[places]))
+        inside = highlight(N, np.einsum("k,nkc->nc", weights, point[places]))
+        k = int(np.argmax(inside - vertices @ np.array(weights)))
+        seen.append((float(inside[k]), float(vertices[k] @ np.array(weights))))
+    inside_there, there = max(seen, key=lambda pair: pair[0] - pair[1])
+    if inside_there - there >= 0.25:
+        yield "highlight-lost", {"inside": inside_there, "interpolated": there}
+
+
+def _areas(at: Float) -> Float:
+    """Areas of triangles (n, 3, 2)."""
+    one, two = at[:, 1] - at[:, 0], at[:, 2] - at[:, 0]
+    return np.asarray(np.abs(one[:, 0] * two[:, 1] - one[:, 1] * two[:, 0]) / 2.0)
