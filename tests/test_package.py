@@ -82,6 +82,10 @@ def test_python_of_the_readme(program: str, tmp_path: Path) -> None:
     assert list(tmp_path.glob("*.png"))
 
 
+def test_the_equation_of_the_readme() -> None:
+    run(sys.executable, "-c", blocks("py")[1], PYTHONPATH=str(ROOT))
+
+
 def test_glsim_commands_of_the_readme(tmp_path: Path) -> None:
     (tmp_path / "teapot.py").write_text(blocks("py")[0])
     commands = [line for block in blocks("sh") for line in block.splitlines() if line.startswith("glsim ")]
@@ -90,7 +94,9 @@ def test_glsim_commands_of_the_readme(tmp_path: Path) -> None:
         if "--window" not in command:  # tests/test_window.py opens windows
             words = shlex.split(command, comments=True)[1:]
             run(sys.executable, "-m", "glsim", *words, cwd=tmp_path, PYTHONPATH=str(ROOT))
-    assert {"frames", "teapot.gif", "after-a-drag", "teapot-shading.png"} <= {path.name for path in tmp_path.iterdir()}
+    assert {"frames", "teapot.gif", "after-a-drag", "teapot-shading.png", "terms.png"} <= {
+        path.name for path in tmp_path.iterdir()
+    }
 
 
 def test_the_readmes_number_of_programs() -> None:

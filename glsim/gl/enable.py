@@ -119,9 +119,7 @@ def switch(m: Machine, cap: int, value: bool) -> None:
     place = CAPS.get(cap)
     if place is not None:
         group, field = place
-        if getattr(getattr(m, group), field) == value:
-            return
-        if cap == GL_COLOR_MATERIAL:
+        if cap == GL_COLOR_MATERIAL and m.lighting.color_material != value:
             set_color_material(m, value)
         else:
             setattr(m, group, getattr(m, group)._replace(**{field: value}))

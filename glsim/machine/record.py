@@ -19,18 +19,21 @@ from glsim.machine.pixels import PixelStore
 implementations: dict[str, Callable[..., Any]] = {}
 
 
+new_call: Callable[..., Call] = tuple.__new__  # twice as fast as the constructor
+
+
 class Recorder:
     """Notes each call, with the user's line and what it changed, and executes it."""
 
     def __init__(self, machine: Machine, frame: Frame) -> None:
         self.machine, self.calls, self.history = machine, frame.calls, frame.history
+        self.lines: dict[tuple[Any, int], Where] = {}  # of the user's program, by code and line
         if not self.history:
             self.history.append(moment(machine, len(self.calls) - 1))
 
-    def note(self, name: str, arguments: tuple[Any, ...]) -> None:
-        self.calls.append(Call(name, arguments, users_line()))
-
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
+        if name in HOT:
+            return self._hot(name, arguments)
         machine = self.machine
         self.note(name, arguments if name in NUMBERS_ONLY else tuple(map(frozen, arguments)))
         packets, first = machine.packets, len(machine.packets)
@@ -44,6 +47,28 @@ class Recorder:
                 machine.recorder, machine.busy = self, True
             if name not in REGISTERS_ONLY:
                 self.changed(packets, first)
+
+    def _hot(self, name: str, arguments: tuple[Any, ...]) -> None:
+        """A command of gl/immediate.py: called once a vertex, it changes no state."""
+        caller = sys._getframe(3)
+        line = caller.f_code, caller.f_lineno
+        where = self.lines.get(line)
+        if where is None:
+            where = users_line(caller)
+            if where is not None and where[:2] == (line[0].co_filename, line[1]):
+                self.lines[line] = where
+        if name not in NUMBERS_ONLY:
+            arguments = tuple(map(frozen, arguments))
+        self.calls.append(new_call(Call, (name, arguments, where)))
+        machine = self.machine
+        machine.recorder = None
+        try:
+            implementations[name](*arguments)
+        finally:
+            machine.recorder = self
+
+    def note(self, name: str, arguments: tuple[Any, ...]) -> None:
+        self.calls.append(Call(name, arguments, users_line(sys._getframe(2))))
 
     def changed(self, packets: list[Packet], first: int) -> None:
         """Note the state if it is another, and which call the new Draws are from."""
@@ -68,9 +93,8 @@ INNER = tuple(os.path.join(PACKAGE, room, "") for room in ("gl", "glu", "glut", 
 _inner: dict[str, bool] = {}
 
 
-def users_line() -> Where | None:
-    """The line of the user's program that is being executed."""
-    frame: Any = sys._getframe(2)
+def users_line(frame: Any) -> Where | None:
+    """The line of the user's program that is being executed; frame: the innermost to look at."""
     via = ""
     while frame is not None:
         code = frame.f_code
@@ -142,6 +166,7 @@ REGISTERS_ONLY = {
     for command in COMMANDS.values()
     if command.family in ("glVertex", "glNormal", "glColor", "glTexCoord", "glMultiTexCoord", "glEdgeFlag", "glBegin")
 }
+HOT = {c.name for c in COMMANDS.values() if c.family in ("glVertex", "glNormal", "glColor", "glTexCoord")}
 NEVER_LISTED = {command.name for command in COMMANDS.values() if not command.listed}
 PIXEL_CALLS = {command.name for command in COMMANDS.values() if "pixels" in command.parameters} | {"glBitmap"}
 ARRAY_CALLS = {

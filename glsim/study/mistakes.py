@@ -170,14 +170,13 @@ def _via(call: Call) -> str:
 
 
 def _is_radians(angle: float) -> bool:
-    """Whether an angle for glRotate looks like degrees converted to radians: a whole number of degrees, or a multiple
-    of pi / 6 in a few digits."""
+    """Whether an angle for glRotate looks like degrees converted to radians: exactly a whole number of degrees, or 30,
+    45, 60, 90, ... degrees in a few digits."""
     if angle == 0.0 or abs(angle) > 2.0 * math.pi + 1e-6 or angle.is_integer():
         return False
-    degrees, sixths = math.degrees(angle), angle * 6.0 / math.pi
-    exact = abs(degrees - round(degrees)) < 1e-6 and abs(degrees) > 0.5
-    rough = abs(sixths - round(sixths)) < 2e-3 * abs(sixths)
-    return exact or rough
+    degrees = abs(math.degrees(angle))
+    exact = abs(degrees - round(degrees)) < 1e-6 and degrees > 0.5
+    return exact or any(abs(degrees - usual) < 2e-3 * usual for usual in (30, 45, 60, 90, 120, 135, 150, 180, 270, 360))
 
 
 def _near(call: Call) -> float | None:

@@ -135,7 +135,8 @@ def _add(result: Terms, at: Any, piece: Piece, lit: Shaded) -> None:
         put(result.summands, "unlit", lit.primary[:, :3])
         return
     result.lit[at] = True
-    result.clamped[at] = np.any(lit.spread(lit.terms.sum) - (lit.primary[:, :3] + lit.highlight) > 0.5 / 255.0, axis=1)
+    changed = np.abs(lit.spread(lit.terms.sum) - (lit.primary[:, :3] + lit.highlight)) > 0.5 / 255.0
+    result.clamped[at] = np.any(changed, axis=1)
     put(result.summands, "emission", lit.terms.emission)
     put(result.summands, "scene ambient", lit.terms.glow)
     lighting = piece.draw.state.lighting

@@ -1,0 +1,155 @@
+"""glsim.explain: the call that set each thing; the GLSL with the key folded in."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import glsim
+from glsim.gl import *
+from glsim.glu import gluLookAt
+from glsim.render import programs
+from glsim.study.capture import capture
+from glsim.study.explain import Explanation, Setting
+from glsim.study.glsl import specialised
+from tests.oracle import PROGRAMS
+
+
+def setting(explanation: Explanation, name: str) -> Setting:
+    return next(entry for entry in (*explanation.key, *explanation.uniforms) if entry.name == name)
+
+
+def line_of(words: str) -> int:
+    """The line of this file that ends with the comment ``words``."""
+    lines = Path(__file__).read_text().splitlines()
+    return next(k for k, line in enumerate(lines, 1) if line.endswith(f"# {words}"))
+
+
+def lines(entry: Setting) -> list[int]:
+    return [origin.where.line for origin in entry.origins if origin.where is not None]
+
+
+def quad() -> None:
+    glBegin(GL_QUADS)
+    for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+        glVertex2f(x, y)
+    glEnd()
+
+
+def test_who_set_what(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glEnable(GL_LIGHTING)
+        glEnable(GL_LIGHT1)  # light
+        glShadeModel(GL_SMOOTH)  # as it was already
+        glMatrixMode(GL_MODELVIEW)
+        glLoadIdentity()  # identity
+        gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0)  # camera
+        glLightfv(GL_LIGHT1, GL_POSITION, [1, 2, 3, 1])  # position
+        glScalef(2, 2, 2)  # scale
+        glMaterialfv(GL_FRONT, GL_DIFFUSE, [1, 0, 0, 1])
+        glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, [0, 1, 0, 1])  # material
+        glColor3f(1, 1, 0)  # colour
+        quad()
+        glDisable(GL_LIGHTING)  # lighting off
+        quad()
+    first, second = glsim.explain(frame)
+    assert (first.draw, second.draw) == (0, 1)
+    assert lines(setting(first, "SHADED")) == [line_of("as it was already")]
+    assert lines(setting(first, "LIGHT_NUMBER[0]")) == [line_of("light")]
+    assert setting(first, "LIGHT_IS_POSITIONAL[0]").value == "true"
+    position = setting(first, "lights[1].position")
+    assert position.value == "(1, 2, -2, 1)"
+    assert lines(position) == [line_of("position")]
+    assert "gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0)" in position.note
+    assert "0 0 1 -5" in position.note
+    assert "glScalef" not in position.note
+    modelview = setting(first, "transform.modelview")
+    assert lines(modelview) == [line_of("identity"), line_of("camera"), line_of("scale")]
+    assert modelview.origins[1].text.startswith("gluLookAt(0, 0, 5")
+    assert lines(setting(first, "material.front.k_d")) == [line_of("material")]
+    assert setting(first, "scene_ambient").origins == ()
+    color = setting(first, "color")
+    assert lines(color) == [line_of("colour")]
+    assert "no effect" in color.note
+    assert lines(setting(second, "LIGHTING")) == [line_of("lighting off")]
+    assert not setting(second, "color").note
+
+
+def test_lists_attributes_and_what_was_before(screen: glsim.Offscreen) -> None:
+    glEnable(GL_LIGHTING)
+    glEnable(GL_LIGHT0)
+    with capture(calls=True) as frame:
+        number = glGenLists(1)
+        glNewList(number, GL_COMPILE)
+        glMaterialf(GL_FRONT, GL_SHININESS, 12)  # in the list
+        glEndList()
+        glFogf(GL_FOG_DENSITY, 0.5)  # density
+        glEnable(GL_FOG)
+        glPushAttrib(GL_FOG_BIT)
+        glFogf(GL_FOG_DENSITY, 0.25)
+        glPopAttrib()
+        glCallList(number)
+        quad()
+    (found,) = glsim.explain(frame)
+    shininess = setting(found, "material.front.n")
+    assert lines(shininess) == [line_of("in the list")]
+    assert "glCallList(1)" in shininess.origins[0].through
+    assert setting(found, "fog density").value == "0.5"
+    assert lines(setting(found, "fog density")) == [line_of("density")]
+    assert setting(found, "LIGHTING").origins[0].text == "before the recording began"
+
+
+def test_calls_must_be_there(screen: glsim.Offscreen) -> None:
+    with capture() as frame:
+        quad()
+    with pytest.raises(ValueError, match=r"capture\(calls=True\)"):
+        glsim.explain(frame)
+    with capture(calls=True) as frame:
+        quad()
+    with pytest.raises(ValueError, match="1 draws"):
+        glsim.explain(frame, 1)
+
+
+def test_folding_changes_no_picture(screen: glsim.Offscreen, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A third of the oracle's programs, drawn with the folded GLSL."""
+    full = programs.sources
+    other = glsim.offscreen(128, 128)
+    monkeypatch.setattr(programs, "sources", lambda key: {s: specialised(text) for s, text in full(key).items()})
+    drawn = {}
+    for name in list(PROGRAMS)[::3]:
+        other.reset()
+        other.make_current()
+        with capture() as frame:
+            PROGRAMS[name]()
+        drawn[name] = frame, other.pixels()
+    monkeypatch.undo()
+    for name, (frame, picture) in drawn.items():
+        screen.reset()
+        screen.execute(frame.packets)
+        assert np.array_equal(screen.pixels(), picture), name
+    assert len(other._renderer.programs) > 30
+    other.release()
+
+
+def test_the_folded_source_has_only_what_runs(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glEnable(GL_LIGHTING)
+        glEnable(GL_LIGHT0)
+        quad()
+        glShadeModel(GL_PHONG_WIN)
+        glLightModeli(GL_LIGHT_MODEL_SPECULAR_LOBE_GLSIM, GL_PHONG_LOBE_GLSIM)
+        quad()
+    gouraud, phong = (entry.glsl for entry in glsim.explain(frame))
+    for text in (*gouraud.values(), *phong.values()):
+        assert not re.search(r"^\s*#(if|define|line)", text, re.MULTILINE)
+        assert "TEXTURES" not in text
+        assert text.count("{") == text.count("}")
+    assert "(N.H)" not in gouraud["fragment"]
+    assert "blinn_torrance" in gouraud["vertex"]
+    assert "vec3 R = dot(N, L) * N + S;" in phong["fragment"]
+    assert "blinn_torrance" not in phong["fragment"]
+    assert "spotlight(" not in gouraud["vertex"]
+    assert len(gouraud["fragment"].splitlines()) < 40

@@ -1,0 +1,216 @@
+"""glsim.trace: what each call changed; each diagnosis fires on a bad program and is silent on the mended one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import glsim
+from glsim.gl import *
+from glsim.glu import gluLookAt, gluPerspective
+from glsim.glut.shapes import glutSolidCube
+from glsim.study.capture import capture
+from glsim.study.mistakes import DIAGNOSES
+
+Program = Callable[[bool], None]
+BAD: dict[str, Program] = {}
+
+
+def mistake(kind: str) -> Callable[[Program], Program]:
+    def note(program: Program) -> Program:
+        BAD[kind] = program
+        return program
+
+    return note
+
+
+def lit() -> None:
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    for capability in (GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST):
+        glEnable(capability)
+
+
+@mistake("normals-scaled")
+def scaled(mended: bool) -> None:
+    lit()
+    glScalef(0.5, 0.5, 0.5)
+    if mended:
+        glEnable(GL_NORMALIZE)
+    glutSolidCube(1)
+
+
+@mistake("normals-not-unit")
+def long_normals(mended: bool) -> None:
+    lit()
+    glNormal3f(0, 0, 1 if mended else 3)
+    glRectf(-1, -1, 1, 1)
+
+
+@mistake("light-before-camera")
+def headlight(mended: bool) -> None:
+    lit()
+    glLoadIdentity()
+    if not mended:
+        glLightfv(GL_LIGHT0, GL_POSITION, [1, 2, 3, 1])
+    gluLookAt(3, 3, 3, 0, 0, 0, 0, 1, 0)
+    if mended:
+        glLightfv(GL_LIGHT0, GL_POSITION, [1, 2, 3, 1])
+    glutSolidCube(1)
+
+
+@mistake("lighting-without-normals")
+def no_normals(mended: bool) -> None:
+    lit()
+    glBegin(GL_TRIANGLES)
+    for z in (0.0, 0.8, -0.8):
+        if mended:
+            glNormal3f(0.6, 0.0, 0.8)
+        glVertex3f(z, 0.5 * z * z, z)
+    glEnd()
+
+
+@mistake("color-material-order")
+def order(mended: bool) -> None:
+    lit()
+    if mended:
+        glColorMaterial(GL_FRONT, GL_SPECULAR)
+        glEnable(GL_COLOR_MATERIAL)
+    else:
+        glEnable(GL_COLOR_MATERIAL)
+        glColorMaterial(GL_FRONT, GL_SPECULAR)
+    glutSolidCube(1)
+
+
+@mistake("highlight-lost")
+def coarse(mended: bool) -> None:
+    """A lamp close to the middle of a square."""
+    lit()
+    glLightfv(GL_LIGHT0, GL_POSITION, [0, 0, 0.5, 1])
+    glMaterialfv(GL_FRONT, GL_SPECULAR, [1, 1, 1, 1])
+    glMaterialf(GL_FRONT, GL_SHININESS, 60)
+    glNormal3f(0, 0, 1)
+    count = 30 if mended else 1
+    for i in range(count):
+        for j in range(count):
+            x, y = 2 * i / count - 1, 2 * j / count - 1
+            glRectf(x, y, x + 2 / count, y + 2 / count)
+
+
+@mistake("near-plane")
+def near(mended: bool) -> None:
+    glMatrixMode(GL_PROJECTION)
+    gluPerspective(60, 1, 0.5 if mended else 0, 10)
+    glMatrixMode(GL_MODELVIEW)
+    glTranslatef(0, 0, -3)
+    glRectf(-1, -1, 1, 1)
+
+
+@mistake("radians")
+def radians(mended: bool) -> None:
+    glRotatef(30 if mended else math.radians(30), 0, 0, 1)
+    glRectf(-0.5, -0.5, 0.5, 0.5)
+
+
+@mistake("matrix-stack")
+def unbalanced(mended: bool) -> None:
+    glPushMatrix()
+    glRectf(-0.5, -0.5, 0.5, 0.5)
+    if mended:
+        glPopMatrix()
+
+
+@mistake("depth-not-cleared")
+def stale(mended: bool) -> None:
+    glClear(GL_COLOR_BUFFER_BIT | (GL_DEPTH_BUFFER_BIT if mended else 0))
+    glEnable(GL_DEPTH_TEST)
+    glRectf(-0.5, -0.5, 0.5, 0.5)
+
+
+def kinds(program: Program, mended: bool) -> list[str]:
+    with capture(calls=True) as frame:
+        program(mended)
+    return [entry.kind for entry in glsim.trace(frame).mistakes]
+
+
+@pytest.mark.parametrize("kind", BAD)
+def test_a_diagnosis_fires(kind: str, screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        BAD[kind](False)
+    (found,) = glsim.trace(frame).mistakes
+    assert found.kind == kind
+    assert found.where is not None
+    assert found.where.file == __file__
+    assert "{" not in found.sentence
+
+
+@pytest.mark.parametrize("kind", BAD)
+def test_a_diagnosis_is_silent_on_the_mended_program(kind: str, screen: glsim.Offscreen) -> None:
+    assert kinds(BAD[kind], True) == []
+
+
+def test_every_diagnosis_is_tested() -> None:
+    assert {*BAD, "error"} == set(DIAGNOSES)
+
+
+@pytest.mark.parametrize("angle", [math.radians(30), math.pi, 1.5708, -0.785, math.radians(45) * 3, math.radians(17)])
+def test_angles_that_look_like_radians(angle: float, screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glRotatef(angle, 0, 1, 0)
+        glRectf(0, 0, 1, 1)
+    assert [entry.kind for entry in glsim.trace(frame).mistakes] == ["radians"]
+
+
+@pytest.mark.parametrize("angle", [0, 1, 2, 3, 0.5, 0.1, 1.5, 2.25, 45.0, 180 / math.pi, 0.7, -3.0, 90, 6.2, 5.5, 0.02])
+def test_angles_that_do_not(angle: float, screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glRotatef(angle, 0, 1, 0)
+        glRectf(0, 0, 1, 1)
+    assert not glsim.trace(frame).mistakes
+
+
+@pytest.mark.parametrize("scene", ["teapot", "torus", "cube", "low-terrain", "terrain"])
+def test_built_in_scenes_are_free_of_mistakes(scene: str) -> None:
+    assert not glsim.trace(scene, size=128).mistakes
+
+
+def test_the_stream(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glEnable(GL_LIGHTING)
+        glEnable(GL_LIGHTING)
+        glShadeModel(GL_FLAT)
+        glPushMatrix()
+        glTranslatef(1, 0, 0)
+        glBegin(GL_TRIANGLES)
+        for k in range(3):
+            glNormal3f(0, 0, 1)
+            glVertex2f(k, k * k)
+        glEnd()
+        glPopMatrix()
+    entries = glsim.trace(frame).entries
+    assert [entry.redundant for entry in entries[:3]] == [False, True, False]
+    assert entries[2].changes == (("lighting.shade_model", "GL_SMOOTH", "GL_FLAT"),)
+    assert entries[3].changes == (("modelview stack", "1 deep", "2 deep"),)
+    assert entries[4].changes[0][0] == "modelview"
+    assert entries[6].text == "3 glNormal3f, 3 glVertex2f"
+    assert entries[7].drew == 1
+
+
+def test_an_error_that_ends_a_program_is_told(tmp_path: Path) -> None:
+    script = tmp_path / "frustum.py"
+    script.write_text("""
+from OpenGL.GL import *
+from OpenGL.GLUT import *
+def display():
+    glMatrixMode(GL_PROJECTION)
+    glFrustum(-1, 1, -1, 1, 0, 10)
+glutInit()
+glutCreateWindow("t")
+glutDisplayFunc(display)
+glutMainLoop()
+""")
+    found = glsim.trace(script).mistakes
+    assert {entry.kind for entry in found} == {"near-plane", "error"}
+    assert all(entry.where is not None and entry.where.line == 6 for entry in found)
