@@ -34,7 +34,7 @@ def natively(native: Native, draw: Callable[[], None], mode: int, kind: int = GL
         feed_back(buffer.size, kind, buffer.ctypes.data)
     render_mode = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_uint)(load("glRenderMode"))
     render_mode(mode)
-    for name, arguments in frame.calls:
+    for name, arguments, *_ in frame.calls:
         native._call(name, pass_on(COMMANDS[name], arguments, []))
     count = render_mode(GL_RENDER)
     native.loader.release_current()
