@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import re
 import sys
 from collections.abc import Sequence
@@ -31,6 +32,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("glsim: interrupted", file=sys.stderr)
         return 130
+    except BrokenPipeError:  # as in: glsim explain ... | head
+        sys.stdout = open(os.devnull, "w")  # noqa: SIM115
+        return 0
     except (ValueError, OSError, RuntimeError, GLError) as error:
         if options.json:
             print(json.dumps({"status": "error", "error": str(error)}))
@@ -273,10 +277,12 @@ def _add_study(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
     """A command that looks at the Frame of a program or scene."""
     p: argparse.ArgumentParser = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
     p.add_argument("what", metavar="SCRIPT|SCENE", help=SUBJECT)
-    p.add_argument("--frame", type=_number, default=0, metavar="N", help="which picture of a program (default: 0)")
-    p.add_argument("--events", default="", metavar='"key a;..."', help="events before it, as for glsim run")
-    p.add_argument("--size", type=_size, default=512, metavar="N", help="pixels of a scene's picture")
-    p.add_argument("--timeout", type=float, default=60.0, metavar="SECONDS", help="for a program (default: 60)")
+    p.add_argument("--frame", type=_number, default=None, metavar="N",
+                   help="which picture of a program (default: 0, or the one after all events)")  # fmt: skip
+    p.add_argument("--events", default=None, metavar='"key a;..."', help="events of a program, as for glsim run")
+    p.add_argument("--size", type=_size, default=None, metavar="N",
+                   help="pixels of the picture (default: 512, or as a program asks)")  # fmt: skip
+    p.add_argument("--timeout", type=float, default=None, metavar="SECONDS", help="for a program (default: 60)")
     p.add_argument("--json", action="store_true", help="print one JSON object")
     return p
 
@@ -291,11 +297,24 @@ def _frame_of(options: argparse.Namespace, calls: bool) -> Frame:
     from glsim.study.frames import frame_of
     from glsim.study.run import events_from
 
-    events = events_from("", options.events)
-    return frame_of(
-        options.what, size=options.size, calls=calls, step=max(options.frame, len(events)), events=events,
-        timeout=options.timeout,
-    )  # fmt: skip
+    given = [name for name in ("frame", "events", "timeout") if getattr(options, name) is not None]
+    if given and not options.what.endswith(".py"):
+        raise ValueError(f"--{given[0]} is for programs, and {options.what} is none")
+    events = events_from("", options.events or "")
+    step = len(events) if options.frame is None else options.frame
+    timeout = 60.0 if options.timeout is None else options.timeout
+    return frame_of(options.what, size=options.size, calls=calls, step=step, events=events, timeout=timeout)
+
+
+def _tell(frame: Frame, options: argparse.Namespace, found: dict[str, Any]) -> int:
+    """Print JSON if it was asked for, and say if the program ended with an error: then the exit code is 1."""
+    if options.json:
+        outcome = {"status": "error", "error": frame.error} if frame.error else {"status": "ok"}
+        print(json.dumps({**outcome, **found}))
+    elif frame.error:
+        where = f" (line {frame.error_at.line})" if frame.error_at is not None else ""
+        print(f"glsim: {options.what} ended early{where}: {frame.error}", file=sys.stderr)
+    return 1 if frame.error else 0
 
 
 def _console() -> Any:
@@ -316,14 +335,13 @@ def _add_probe(commands: Any) -> None:
 def _probe(options: argparse.Namespace) -> int:
     from glsim.study.probe import probe
 
-    result = probe(_frame_of(options, calls=str(options.what).endswith(".py")), options.x, options.y)
-    if options.json:
-        print(json.dumps({"status": "ok", **result.as_dict()}))
-    elif options.latex:
+    frame = _frame_of(options, calls=True)
+    result = probe(frame, options.x, options.y)
+    if options.latex and not options.json:
         print(result.latex())
-    else:
+    elif not options.json:
         _console().print(result)
-    return 0
+    return _tell(frame, options, result.as_dict())
 
 
 def _add_terms(commands: Any) -> None:
@@ -336,14 +354,13 @@ def _terms(options: argparse.Namespace) -> int:
     from glsim.study.terms import terms
 
     _check_picture_name(options.output)
-    result = terms(_frame_of(options, calls=False))
+    frame = _frame_of(options, calls=False)
+    result = terms(frame)
     result.save(options.output)
-    if options.json:
-        print(json.dumps({"status": "ok", "output": options.output, **result.statistics()}))
-        return 0
     found = result.statistics()
-    print(f"wrote {options.output}: {found['lit']} lit pixels, {found['clamped']} of them clamped")
-    return 0
+    if not options.json:
+        print(f"wrote {options.output}: {found['lit']} lit pixels, {found['clamped']} of them clamped")
+    return _tell(frame, options, {"output": options.output, **found})
 
 
 def _add_explain(commands: Any) -> None:
@@ -356,10 +373,13 @@ def _add_explain(commands: Any) -> None:
 def _explain(options: argparse.Namespace) -> int:
     from glsim.study.explain import explain
 
-    found = explain(_frame_of(options, calls=True), options.draw)
+    frame = _frame_of(options, calls=True)
+    found = explain(frame, options.draw)
+    listed: list[Any] = []
     if options.json:
         listed = [{**entry.as_dict(), **({"glsl": entry.glsl} if options.glsl else {})} for entry in found]
-        print(json.dumps({"status": "ok", "draws": listed}))
+    elif not found:
+        print("Nothing is drawn: there is no glBegin, glDrawArrays, ... in this picture.")
     elif options.glsl:
         for program in dict.fromkeys(entry.program for entry in found):
             same = [entry for entry in found if entry.program == program]
@@ -370,7 +390,7 @@ def _explain(options: argparse.Namespace) -> int:
 
         for table in explanations(found):
             _console().print(table)
-    return 0
+    return _tell(frame, options, {"draws": listed})
 
 
 def _add_trace(commands: Any) -> None:
@@ -383,15 +403,15 @@ def _trace(options: argparse.Namespace) -> int:
     from glsim.study.report import calls_table, mistakes_list
     from glsim.study.trace import trace
 
-    found = trace(_frame_of(options, calls=True))
-    if options.json:
-        print(json.dumps({"status": "ok", **found.as_dict()}))
-    else:
+    frame = _frame_of(options, calls=True)
+    found = trace(frame)
+    if not options.json:
         console = _console()
         if not options.mistakes:
             console.print(calls_table(found))
         console.print(mistakes_list(found))
-    return 1 if options.mistakes and found.mistakes else 0
+    code = _tell(frame, options, found.as_dict())
+    return 1 if options.mistakes and found.mistakes else code
 
 
 # ---------------------------------------------------------------- doctor

@@ -102,6 +102,52 @@ def test_lists_attributes_and_what_was_before(screen: glsim.Offscreen) -> None:
     assert setting(found, "LIGHTING").origins[0].text == "before the recording began"
 
 
+def test_nested_lists_and_what_they_put_back(screen: glsim.Offscreen) -> None:
+    """Each draw in a list is explained as things were when it was made."""
+    with capture(calls=True) as frame:
+        glEnable(GL_LIGHTING)
+        glLoadIdentity()  # load
+        glMaterialfv(GL_FRONT, GL_DIFFUSE, [0, 0, 1, 1])  # blue
+        glNewList(1, GL_COMPILE)
+        glMaterialfv(GL_FRONT, GL_DIFFUSE, [1, 0, 0, 1])  # red
+        quad()
+        glEndList()
+        glNewList(2, GL_COMPILE)
+        glPushAttrib(GL_LIGHTING_BIT | GL_CURRENT_BIT)
+        glPushMatrix()
+        glTranslatef(0.5, 0, 0)  # moved
+        glColor3f(1, 1, 0)  # yellow
+        glCallList(1)
+        glPopMatrix()
+        glPopAttrib()
+        quad()
+        glEndList()
+        glCallList(2)
+        glCallLists([2])
+    red, blue, again, _ = glsim.explain(frame)
+    for found in (red, again):
+        assert lines(setting(found, "material.front.k_d")) == [line_of("red")]
+        assert lines(setting(found, "transform.modelview")) == [line_of("load"), line_of("moved")]
+        assert lines(setting(found, "color")) == [line_of("yellow")]
+    assert "glCallList(2)" in setting(red, "material.front.k_d").origins[0].through
+    assert "glCallLists" in setting(again, "material.front.k_d").origins[0].through
+    assert lines(setting(blue, "material.front.k_d")) == [line_of("blue")]
+    assert setting(blue, "material.front.k_d").origins[0].through == ""
+    assert lines(setting(blue, "transform.modelview")) == [line_of("load")]
+    assert lines(setting(blue, "color")) == []
+
+
+def test_names_are_told_not_numbers(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glEnable(GL_LIGHT0 + 1)
+        glEnable(GL_FOG)
+        glFogi(GL_FOG_MODE, int(GL_LINEAR))
+        quad()
+    assert next(entry.text for entry in glsim.trace(frame).entries) == "glEnable(GL_LIGHT1)"
+    (found,) = glsim.explain(frame)
+    assert setting(found, "FOG").value == "GL_LINEAR"
+
+
 def test_calls_must_be_there(screen: glsim.Offscreen) -> None:
     with capture() as frame:
         quad()

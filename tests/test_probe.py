@@ -140,7 +140,10 @@ def test_the_history_of_a_pixel(screen: glsim.Offscreen) -> None:
     probe = glsim.probe(frame, 30, 40)
     assert [fragment.killed for fragment in probe.fragments] == ["", "depth test", ""]
     assert [fragment.draw for fragment in probe.fragments] == [0, 1, 2]
-    assert probe.events == ((0, "glClear: (51, 51, 51, 255)"),)
+    (event,) = probe.events
+    assert (event.packet, event.what, event.covers, event.after) == (0, "glClear", True, (51, 51, 51, 255))
+    assert event.where is not None
+    assert event.where.file == __file__
     winner = probe.winner
     assert winner is not None
     assert winner.before == probe.fragments[0].after
@@ -151,6 +154,45 @@ def test_the_history_of_a_pixel(screen: glsim.Offscreen) -> None:
     assert winner.after == probe.pixel
     assert np.abs(np.subtract(probe.computed, probe.pixel)).max() <= 1
     assert tuple(screen.pixels()[40, 30]) == probe.pixel
+
+
+def test_what_a_clear_or_a_mask_leaves(screen: glsim.Offscreen) -> None:
+    """A fragment that was wiped, or that wrote nothing, is not what is seen."""
+    with capture() as frame:
+        lit_quad(0.0, (1, 0, 0))
+        glEnable(GL_SCISSOR_TEST)
+        glScissor(0, 0, 64, 128)
+        glClearColor(0, 0, 1, 1)
+        glClear(GL_COLOR_BUFFER_BIT)
+        glDisable(GL_SCISSOR_TEST)
+        glColorMask(False, False, False, False)
+        lit_quad(0.5, (0, 1, 0))
+    left, right = glsim.probe(frame, 20, 20), glsim.probe(frame, 100, 20)
+    assert left.winner is None
+    assert left.covered is not None
+    assert left.pixel == left.computed == (0, 0, 255, 255)
+    assert right.winner is right.fragments[0]
+    assert right.fragments[1].killed == "colour mask"
+
+
+def test_attenuation_and_spot_stand_in_the_formula(screen: glsim.Offscreen) -> None:
+    with capture() as frame:
+        glEnable(GL_LIGHTING)
+        glEnable(GL_LIGHT0)
+        glLightfv(GL_LIGHT0, GL_POSITION, [0.2, 0, 1, 1])
+        glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 0.5)
+        glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 60)
+        glLightf(GL_LIGHT0, GL_SPOT_EXPONENT, 4)
+        glShadeModel(GL_PHONG_WIN)
+        lit_quad(0.0, (0.4, 0.6, 0.2))
+    probe = glsim.probe(frame, 80, 50)
+    assert probe.winner is not None
+    light = probe.winner.evaluations[0].lights[0]
+    assert 0 < light.spot < 1
+    assert light.attenuation == pytest.approx(1 / (1 + 0.5 * light.d))
+    strength = light.attenuation * light.spot
+    assert light.diffuse[0] == pytest.approx(strength * light.N_L * 0.4)
+    assert r"\mathrm{attenuation} \, \mathrm{spot}" in probe.latex()
 
 
 def test_the_terms_of_the_evaluation(screen: glsim.Offscreen) -> None:

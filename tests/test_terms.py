@@ -70,6 +70,15 @@ def test_cosines_and_normals(screen: glsim.Offscreen) -> None:
     assert terms.statistics()["pixels"] == int(terms.covered.sum())
 
 
+def test_a_picture_without_fragments(screen: glsim.Offscreen) -> None:
+    with capture() as frame:
+        glClear(GL_COLOR_BUFFER_BIT)
+    terms = glsim.terms(frame)
+    assert not terms.covered.any()
+    assert not terms.sum.any()
+    assert terms.sheet.size[0] > 0
+
+
 def test_the_sheet(tmp_path: Path) -> None:
     terms = glsim.terms("sphere", size=64)
     terms.save(tmp_path / "terms.png")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Callable
 from pathlib import Path
@@ -196,6 +197,55 @@ def test_the_stream(screen: glsim.Offscreen) -> None:
     assert entries[4].changes[0][0] == "modelview"
     assert entries[6].text == "3 glNormal3f, 3 glVertex2f"
     assert entries[7].drew == 1
+
+
+def test_each_matrix_stack_has_its_own_pushes(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glMatrixMode(GL_PROJECTION)
+        glPushMatrix()
+        glMatrixMode(GL_MODELVIEW)
+        glPushMatrix()
+        glMatrixMode(GL_PROJECTION)
+        glPopMatrix()
+        glRectf(0, 0, 1, 1)
+    (found,) = glsim.trace(frame).mistakes
+    assert frame.calls[found.call].name == "glPushMatrix"
+    assert found.call == 3
+
+
+def test_depth_without_a_reason_to_be_cleared(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glClear(GL_COLOR_BUFFER_BIT)
+        glEnable(GL_DEPTH_TEST)
+        glDepthFunc(GL_ALWAYS)
+        glRectf(0, 0, 1, 1)
+    assert not glsim.trace(frame).mistakes
+
+
+def test_the_commands_say_that_a_program_failed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from glsim.cli import main
+
+    script = tmp_path / "boom.py"
+    script.write_text("""
+from OpenGL.GL import *
+from OpenGL.GLUT import *
+def display():
+    glRectf(-1, -1, 1, 1)
+    1 / 0
+glutInit()
+glutCreateWindow("t")
+glutDisplayFunc(display)
+glutMainLoop()
+""")
+    for words in (["probe", str(script), "5", "5"], ["explain", str(script)], ["trace", str(script)]):
+        assert main([*words, "--json"]) == 1
+        record = json.loads(capsys.readouterr().out)
+        assert record["status"] == "error"
+        assert "ZeroDivisionError" in record["error"]
+    assert main(["trace", str(script), "--mistakes"]) == 1
+    assert "boom.py:6: error: ZeroDivisionError" in capsys.readouterr().out
+    assert main(["probe", "cube", "5", "5", "--frame", "1"]) == 1
+    assert "--frame is for programs" in capsys.readouterr().err
 
 
 def test_an_error_that_ends_a_program_is_told(tmp_path: Path) -> None:

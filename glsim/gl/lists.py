@@ -22,7 +22,7 @@ from glsim.machine.constants import (
     GL_UNSIGNED_SHORT,
 )
 from glsim.machine.errors import GLError, invalid_enum, invalid_operation, invalid_value, out_of_memory
-from glsim.machine.frame import Call
+from glsim.machine.frame import Call, Draw
 from glsim.machine.geometry import Geometry
 from glsim.machine.machine import MAX_LIST_NESTING, MOST_NAMES, Machine
 from glsim.machine.pixels import PixelStore
@@ -43,7 +43,7 @@ class Unpacking(NamedTuple):
     store: PixelStore
 
 
-Item = Geometry | Call | Unpacking
+Item = tuple[int, Geometry | Call | Unpacking]  # with the number of the last call in it
 
 
 def glNewList(m: Machine, n: int, mode: int) -> None:
@@ -76,7 +76,7 @@ def compile_list(recorder: ListRecorder) -> list[Item]:
         if position < len(recorder.calls):
             call = Call(*recorder.calls[position])
             store = recorder.stores.get(position, PixelStore())
-            items.append(call if store == PixelStore() else Unpacking(call, store))
+            items.append((position, call if store == PixelStore() else Unpacking(call, store)))
     return items
 
 
@@ -87,10 +87,10 @@ def _compiled(recorder: ListRecorder, first: int, end: int) -> list[Item]:
     balanced = brackets == ["glBegin", "glEnd"] * (len(brackets) // 2)
     if balanced and any(COMMANDS[name].family in DRAWING for name, _ in calls):
         try:
-            return [Geometry(calls, recorder.clients, first)]
+            return [(end - 1, Geometry(calls, recorder.clients, first))]
         except (GLError, TypeError, ValueError):
             pass  # errors come when the list is called, as the specification says
-    return [Call(*call) for call in calls]
+    return [(first + k, Call(*call)) for k, call in enumerate(calls)]
 
 
 def glCallList(m: Machine, n: int) -> None:
@@ -101,7 +101,8 @@ def glCallList(m: Machine, n: int) -> None:
     m.nesting += 1
     store, m.unpack_store = m.unpack_store, PixelStore()
     try:
-        for item in items:
+        for position, item in items:
+            drawn = len(m.packets)
             if type(item) is Geometry and m.inside is None:
                 item.call(m)
             elif type(item) is Call:
@@ -112,6 +113,10 @@ def glCallList(m: Machine, n: int) -> None:
                 m.unpack_store = PixelStore()
             else:
                 raise invalid_operation(f"list {n} begins a primitive of its own")
+            if m.capturing is not None:
+                for packet in m.packets[drawn:]:
+                    if type(packet) is Draw:
+                        packet.trail = ((n, position), *packet.trail)
     finally:
         m.nesting -= 1
         m.unpack_store = store
@@ -125,17 +130,18 @@ LIST_TYPES: dict[int, str] = {
 
 def glCallLists(m: Machine, n: Any, type: int | None = None, lists: Any = None) -> None:
     """glCallLists(n, type, lists), or in PyOpenGL's form glCallLists(lists) with a string, bytes or array."""
-    if type is None:
-        numbers = _numbers(n, None)
-    else:
-        if n < 0:
-            raise invalid_value("n", n, "at least 0")
-        if type not in LIST_TYPES:
-            raise invalid_enum("type", type, "GL_BYTE, GL_UNSIGNED_BYTE, ... or GL_4_BYTES")
-        numbers = _numbers(lists, type)[:n]
-    base = m.list_base
-    for number in numbers:
-        glCallList(m, (base + number) & 0xFFFFFFFF)
+    if type is not None and n < 0:
+        raise invalid_value("n", n, "at least 0")
+    if type is not None and type not in LIST_TYPES:
+        raise invalid_enum("type", type, "GL_BYTE, GL_UNSIGNED_BYTE, ... or GL_4_BYTES")
+    for number in numbers_called(m.list_base, n, type, lists):
+        glCallList(m, number)
+
+
+def numbers_called(base: int, n: Any, type: int | None = None, lists: Any = None) -> list[int]:
+    """The lists that glCallLists calls."""
+    numbers = _numbers(n, None) if type is None else _numbers(lists, type)[:n]
+    return [(base + number) & 0xFFFFFFFF for number in numbers]
 
 
 def _numbers(lists: Any, kind: int | None) -> list[int]:

@@ -27,6 +27,9 @@ ROW_BYTES = 4 * ROW
 # modelview, projection, texture; then the texture matrices of the other units if a program ever set one
 Matrices = tuple[Matrix, ...]
 
+# Where in display lists a Draw was made, outermost list first: (number of the list, number of the call in it).
+Trail = tuple[tuple[int, int], ...]
+
 
 class Vertices:
     """The vertices between two flushes, or of a display list.
@@ -69,7 +72,9 @@ class Draw:
     if there are any, make primitives of ``mode``.  ``matrices``: see Matrices.
     """
 
-    __slots__ = ("call", "color", "count", "first", "indices", "material", "matrices", "mode", "state", "vertices")
+    __slots__ = (
+        "call", "color", "count", "first", "indices", "material", "matrices", "mode", "state", "trail", "vertices",
+    )  # fmt: skip
 
     def __init__(
         self,
@@ -87,11 +92,12 @@ class Draw:
         self.vertices = vertices
         self.color: Color | None = None  # for all vertices, instead of their own: a display list that sets none
         self.call: int | None = None  # the number of the call that ended it, if calls are recorded
+        self.trail: Trail = ()  # if that was glCallList
 
     def with_state(self, state: Snapshot) -> Draw:
         """The same geometry under another state."""
         draw = Draw(self.mode, self.first, self.count, self.indices, self.matrices, self.material, state)
-        draw.vertices, draw.color, draw.call = self.vertices, self.color, self.call
+        draw.vertices, draw.color, draw.call, draw.trail = self.vertices, self.color, self.call, self.trail
         return draw
 
     def material_changes(self) -> list[tuple[int, Material]]:
@@ -117,11 +123,12 @@ class Draw:
 
 
 class Clear(NamedTuple):
-    """One glClear; accum: the value for the accumulation buffer."""
+    """One glClear; accum: the value for the accumulation buffer.  call: its number, if calls are recorded."""
 
     mask: int
     state: Snapshot
     accum: Color = (0.0, 0.0, 0.0, 0.0)
+    call: int | None = None
 
 
 class Pixels(NamedTuple):
@@ -138,6 +145,7 @@ class Pixels(NamedTuple):
     raster: RasterPosition
     mode: PixelMode
     state: Snapshot
+    call: int | None = None
 
 
 class Accum(NamedTuple):
@@ -146,6 +154,7 @@ class Accum(NamedTuple):
     operation: int
     value: float
     state: Snapshot
+    call: int | None = None
 
 
 class QueryMark(NamedTuple):
@@ -199,7 +208,7 @@ class Frame:
     """Packets in the order of the program.
 
     If calls were recorded: ``calls`` they came from, and ``history``, the state at the beginning (call -1) and after
-    each call that changed it.  ``error``: the sentence of the error that ended the program.
+    each call that changed it.  ``error``: the sentence of the error that ended the program, ``error_at`` its line.
     """
 
     width: int
@@ -208,6 +217,7 @@ class Frame:
     calls: list[Call] = field(default_factory=list)
     history: list[Moment] = field(default_factory=list)
     error: str = ""
+    error_at: Where | None = None
 
     @property
     def draws(self) -> Iterator[Draw]:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from glsim.machine.commands import COMMANDS
-from glsim.machine.frame import Call, Draw, Frame, Moment, Packet, Where
+from glsim.machine.frame import Accum, Call, Clear, Draw, Frame, Moment, Packet, Pixels, Where
 from glsim.machine.machine import Machine
 from glsim.machine.pixels import PixelStore
 
@@ -73,10 +73,14 @@ class Recorder:
     def changed(self, packets: list[Packet], first: int) -> None:
         """Note the state if it is another, and which call the new Draws are from."""
         number = len(self.calls) - 1
-        new = packets[first:] if packets is self.machine.packets else packets[first:] + self.machine.packets
-        for packet in new:
-            if type(packet) is Draw:
-                packet.call = number
+        later = [] if packets is self.machine.packets else self.machine.packets
+        for made, start in ((packets, first), (later, 0)):
+            for k in range(start, len(made)):
+                packet = made[k]
+                if type(packet) is Draw:
+                    packet.call = number
+                elif isinstance(packet, (Clear, Pixels, Accum)):
+                    made[k] = packet._replace(call=number)
         now = moment(self.machine, number)
         if now[1:] != self.history[-1][1:]:
             self.history.append(now)

@@ -10,11 +10,11 @@ import numpy as np
 
 from glsim.machine.assembly import corners
 from glsim.machine.constants import GL_COMBINE
-from glsim.machine.frame import Draw, Frame, Where
+from glsim.machine.frame import Draw, Frame, Trail, Where
 from glsim.render.programs import ProgramKey, program_key, sources
 from glsim.study.frames import frame_of
 from glsim.study.glsl import specialised
-from glsim.study.provenance import BEFORE, History, Path, Provenance, call_text, value_at
+from glsim.study.provenance import BEFORE, History, Path, Provenance, call_text, enum_name, value_at
 
 LIGHTING = ("lighting",)
 
@@ -73,16 +73,20 @@ def explain(what: Any, draw: int | None = None, **options: Any) -> list[Explanat
     draws = list(frame.draws)
     if draw is not None and not 0 <= draw < len(draws):
         raise ValueError(f"explain: the frame has {len(draws)} draws, numbered from 0, and {draw} is not one of them")
-    wanted: dict[int, list[int]] = {}
+    wanted: dict[tuple[int, Trail], list[int]] = {}
     for number, packet in enumerate(draws):
         if packet.call is None:
             raise ValueError("explain: the calls of this frame were not recorded: use capture(calls=True)")
         if draw is None or number == draw:
-            wanted.setdefault(packet.call, []).append(number)
+            wanted.setdefault((packet.call, packet.trail), []).append(number)
     found: dict[int, Explanation] = {}
-    for number, *_, provenance in History(frame).walk():
-        for which in wanted.get(number, ()):
-            found[which] = _Explainer(frame, draws[which], provenance).explanation(which)
+    for step in History(frame).walk():
+        for which in wanted.pop((step.number, step.trail), ()):
+            found[which] = _Explainer(frame, draws[which], step.provenance).explanation(which)
+        if not step.trail:  # a list made before the recording began is not followed inside
+            for key in [key for key in wanted if key[0] == step.number]:
+                for which in wanted.pop(key):
+                    found[which] = _Explainer(frame, draws[which], step.provenance).explanation(which)
     return [found[number] for number in sorted(found)]
 
 
@@ -169,10 +173,10 @@ class _Explainer:
             if getattr(key, name.lower()) or (name == "NORMALIZE" and key.lighting):
                 yield Setting(name, value_text(getattr(key, name.lower())), self._origins(path))
         if key.fog:
-            yield Setting("FOG", repr(key.fog), self._origins(("fog", "enabled"), ("fog", "mode")))
+            yield Setting("FOG", enum_name(int(key.fog)), self._origins(("fog", "enabled"), ("fog", "mode")))
         if self.draw.state.color_buffer.alpha_test:
             paths = (("color_buffer", "alpha_test"), ("color_buffer", "alpha_func"))
-            yield Setting("ALPHA_FUNC", repr(key.alpha_func), self._origins(*paths))
+            yield Setting("ALPHA_FUNC", enum_name(int(key.alpha_func)), self._origins(*paths))
         for number, on in enumerate(key.clip_plane):
             if on:
                 yield Setting(f"CLIP_PLANE[{number}]", "true", self._origins(("transform", "clip_enabled", number)))
@@ -180,9 +184,9 @@ class _Explainer:
             at: Path = ("texture", "units", unit.number)
             yield Setting(f"TEXTURE_{unit.number}", "1", self._origins((*at, "enabled"), (*at, "names")))
             environment = [(*at, "environment"), *([(*at, "combine")] if unit.environment == GL_COMBINE else [])]
-            yield Setting(f"TEXENV[{unit.number}]", repr(unit.environment), self._origins(*environment))
+            yield Setting(f"TEXENV[{unit.number}]", enum_name(int(unit.environment)), self._origins(*environment))
             if any(unit.generated):
-                modes = ", ".join(repr(mode) if mode else "-" for mode in unit.generated)
+                modes = ", ".join(enum_name(int(mode)) if mode else "-" for mode in unit.generated)
                 who = self._origins((*at, "generated"), (*at, "generators"))
                 yield Setting(f"TEXGEN of unit {unit.number}", modes, who)
 
@@ -193,7 +197,8 @@ class _Explainer:
         for at, name in enumerate(names):
             matrix = self.draw.matrices[at if at < 2 else min(2 + int(name[-1]), len(self.draw.matrices) - 1)]
             chain = self._chain(self.provenance.chains[name][-1])
-            yield Setting(f"transform.{name}", matrix_text(matrix.get()), chain, "the product of these calls, in order")
+            note = "the product of these calls, in order" if len(chain) > 1 else ""
+            yield Setting(f"transform.{name}", matrix_text(matrix.get()), chain, note)
         yield self._color(key)
         if key.lighting:
             yield from self._lighting(key)
@@ -224,7 +229,7 @@ class _Explainer:
             value_text(tuple(map(float, rows[0] if self.draw.color is None else self.draw.color))) if len(rows) else "-"
         )
         last = self.provenance.registers.get("glColor")
-        origins = () if last is None else (self._origin(last),)
+        origins = () if last is None or not one else (self._origin(last),)
         tracked = self.draw.state.lighting.color_material
         note = "has no effect: GL_LIGHTING is on and GL_COLOR_MATERIAL is off" if key.lighting and not tracked else ""
         return Setting("color", value if one else "one for each vertex", origins, note)
@@ -274,7 +279,7 @@ def value_text(value: Any) -> str:
         return f"{value:.6g}"
     if isinstance(value, tuple):
         return "(" + ", ".join(map(value_text, value)) + ")"
-    return repr(value)
+    return enum_name(value)
 
 
 def matrix_text(columns: Any) -> str:

@@ -25,6 +25,8 @@ SYMBOLS = {
     ")": (")", "<mo>)</mo>"),
     "I": ("I", "<mi>I</mi>"),
     "clamp": (r"\mathrm{clamp}", "<mi>clamp</mi>"),
+    "attenuation": (r"\mathrm{attenuation}", "<mi>attenuation</mi>"),
+    "spot": (r"\mathrm{spot}", "<mi>spot</mi>"),
     **{
         name: (rf"{name[0]}_{{{name[2:]}}}", f"<msub><mi>{name[0]}</mi><mi>{name[2:]}</mi></msub>")
         for name in ("k_a", "k_d", "k_s", "I_a", "I_d", "I_s")
@@ -43,14 +45,29 @@ def lines(evaluation: Evaluation) -> Iterator[Line]:
     yield ["glow", "=", "k_a", "*", "I_a", "=", e.k_a, "x", e.scene_ambient, "=", e.glow]
     for light in e.lights:
         of = "N.H^n" if light.vector == "H" else "R.V^n"
-        strength = light.attenuation * light.spot
-        factor: Line = [] if strength == 1.0 else [strength, "x"]
+        plain = light.attenuation == light.spot == 1.0
+        factor: Line = [] if plain else [light.attenuation, "x", light.spot, "x"]
+        named: Line = [] if plain else ["attenuation", "*", "spot", "*"]
         name = f" of light {light.light}"
-        yield ["ambient" + name, "=", "k_a", "*", "I_a", "=", *factor, e.k_a, "x", light.I_a, "=", light.ambient]
+        yield [
+            "ambient" + name,
+            "=",
+            *named,
+            "k_a",
+            "*",
+            "I_a",
+            "=",
+            *factor,
+            e.k_a,
+            "x",
+            light.I_a,
+            "=",
+            light.ambient,
+        ]
         diffuse: Line = [*factor, e.k_d, "x", light.I_d, "x", max(light.N_L, 0.0)]
-        yield ["diffuse" + name, "=", "k_d", "*", "I_d", "*", "N.L", "=", *diffuse, "=", light.diffuse]
+        yield ["diffuse" + name, "=", *named, "k_d", "*", "I_d", "*", "N.L", "=", *diffuse, "=", light.diffuse]
         specular: Line = [*factor, e.k_s, "x", light.I_s, "x", light.power]
-        yield ["specular" + name, "=", "k_s", "*", "I_s", "*", of, "=", *specular, "=", light.specular]
+        yield ["specular" + name, "=", *named, "k_s", "*", "I_s", "*", of, "=", *specular, "=", light.specular]
     yield ["I", "=", e.sum]
     if e.sum != e.clamped:
         yield ["clamp", "(", "I", ")", "=", e.clamped]
@@ -69,8 +86,13 @@ def _document(probe: Probe) -> Iterator[Line]:
         for k, evaluation in enumerate(winner.evaluations):
             total += [*(["+"] if k else []), evaluation.weight, "x", evaluation.clamped]
         yield [*total, "=", winner.primary[:3]]
+    if not winner.evaluations:
+        yield ["colour", "=", winner.primary[:3]]
     for step in winner.steps:
-        yield [f"{step.name}: {step.formula}", "=", step.color[:3]]
+        if step.name.endswith("test"):
+            yield [f"{step.name}: {step.formula}"]
+        else:
+            yield [f"{step.name} ({step.formula})", "=", step.color[:3]]
 
 
 def _digits(value: float) -> str:

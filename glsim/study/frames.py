@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from glsim.machine.frame import Accum, Clear, Frame, Packet, QueryMark
+from glsim.machine.frame import Accum, Clear, Frame, Packet, QueryMark, Where
 from glsim.scenes import Camera, Lamp, Scene, open_scene
 from glsim.scenes.load import from_trimesh
 from glsim.study.capture import capture
@@ -19,14 +19,14 @@ WHOLE = 0x4000 | 0x100  # GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT
 
 
 def frame_of(
-    what: Any, *, size: int = 512, calls: bool = False, step: int = 0, events: Sequence[str] = (),
+    what: Any, *, size: int | None = None, calls: bool = False, step: int = 0, events: Sequence[str] = (),
     timeout: float | None = 60.0,
 ) -> Frame:  # fmt: skip
     """What ``what`` draws, as a Frame.
 
     what: a Frame (returned as it is), a function that draws with the gl commands, a Scene, the name of a built-in
         scene, the path of a mesh file, a trimesh.Trimesh, or the path of a program (.py), run as ``glsim run`` does.
-    size: pixels of the picture; a program chooses its own.  calls: record every call.
+    size: pixels of the picture (default: 512, or as the program asks).  calls: record every call.
     step, events, timeout: which picture of a program, what happens before it, and how many seconds it may take.
 
     Raises ValueError for what cannot be drawn, FileNotFoundError for a program that is not there.
@@ -34,7 +34,10 @@ def frame_of(
     if isinstance(what, Frame):
         return what
     if isinstance(what, (str, Path)) and str(what).endswith(".py"):
-        return frame_of_program(what, calls=calls, step=step, events=events, timeout=timeout)
+        return frame_of_program(what, calls=calls, step=step, events=events, timeout=timeout, size=size)
+    if isinstance(what, (str, Path)) and Path(what).is_dir():
+        raise ValueError(f"{what}: is a folder; name a program, a built-in scene or a mesh file")
+    size = 512 if size is None else size
     title, draw = drawer(what, size)
     from glsim.machine.current import current_machine, make_current
     from glsim.machine.machine import Machine
@@ -54,8 +57,9 @@ def frame_of(
 
 
 def frame_of_program(
-    script: str | Path, *, calls: bool = False, step: int = 0, events: Sequence[str] = (), timeout: float | None = 60.0
-) -> Frame:
+    script: str | Path, *, calls: bool = False, step: int = 0, events: Sequence[str] = (), timeout: float | None = 60.0,
+    size: int | None = None,
+) -> Frame:  # fmt: skip
     """The picture of a program's first window after ``step`` steps, from its beginning on.
 
     An error that ends the program is in ``frame.error``, with what was drawn until then.  Raises ValueError if it draws
@@ -66,13 +70,20 @@ def frame_of_program(
 
     with tempfile.TemporaryDirectory(prefix="glsim-") as folder:
         target = os.path.join(folder, "frame")
-        plan = Plan(str(script), frames=step + 1, events=list(events), capture=target, capture_calls=calls, count=True)
+        plan = Plan(str(script), frames=step + 1, events=list(events)[:step], capture=target, capture_calls=calls,
+                    count=True, size=(size, size) if size is not None else None)  # fmt: skip
         record = run(plan, timeout)
-        reasons = [error["error"] for error in record["errors"]] or record["notes"] or [record["status"]]
+        errors = record["errors"]
         if not os.path.exists(target):
-            raise ValueError(f"{script} gives no picture: {reasons[0]}")
+            reasons = [error["error"] for error in errors] or record["notes"]
+            reason = "it opens no window" if record["status"] == "no-window" else (reasons or [record["status"]])[0]
+            raise ValueError(f"{script} gives no picture: {reason}")
         frame: Frame = pickle.loads(Path(target).read_bytes())
-    frame.error = reasons[0] if record["errors"] else ""
+    if errors:
+        frame.error = errors[0]["error"]
+        frame.error_at = Where(str(Path(script).resolve()), errors[0]["line"]) if errors[0]["line"] else None
+    elif record["status"] != "ok":
+        frame.error = (record["notes"] or [record["status"]])[-1]
     return frame
 
 

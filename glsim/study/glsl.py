@@ -73,6 +73,7 @@ def preprocessed(source: str) -> tuple[str, Constants]:
     constants = Constants()
     active = [True]
     lines = []
+    begun = 0  # where the part of the present file begins
     for line in source.splitlines():
         directive = re.match(r"\s*#\s*(\w+)\s*(.*)", line)
         if directive is None:
@@ -83,6 +84,10 @@ def preprocessed(source: str) -> tuple[str, Constants]:
                 lines.append(line)
             continue
         word, rest = directive[1], directive[2].split("//")[0].strip()
+        if word == "line":
+            if not any(text.split("//")[0].strip() for text in lines[begun:]):
+                del lines[begun:]  # nothing but comments is left of it
+            begun = len(lines)
         if word == "if":
             active.append(active[-1] and _true(rest, macros))
         elif word == "elif":
@@ -203,6 +208,8 @@ class Folder:
         closing = self.take("}")
         if ended:  # comments in front of the brace belong to what is gone
             closing = Token("}", "\n" + closing.space.rpartition("\n")[2])
+        if [token.text for token in result[-2:]] == ["return", ";"]:
+            result = result[:-2]
         return [opening, *result, closing]
 
     def statement(self) -> list[Token]:
@@ -258,7 +265,11 @@ class Folder:
             tail = [word, *other] if other is not None and _words(other) else []
             return [start, opening, *condition.tokens, closing, *body, *tail]
         chosen = body if condition.value else other
-        return _unwrapped(chosen, start.space) if chosen is not None else []
+        kept = _unwrapped(chosen, start.space) if chosen is not None else []
+        if not kept and self.at < len(self.tokens):  # a comment behind it goes with it
+            following = self.tokens[self.at]
+            following.space = following.space[following.space.find("\n") :] if "\n" in following.space else ""
+        return kept
 
     def _for(self) -> list[Token]:
         start = [self.take("for"), self.take("(")]

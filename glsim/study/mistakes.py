@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from glsim.gl.stage import illumination, vertex_stage, window
 from glsim.machine.assembly import corners
 from glsim.machine.constants import (
+    GL_ALWAYS,
     GL_COLOR_BUFFER_BIT,
     GL_COLOR_MATERIAL,
     GL_DEPTH_BUFFER_BIT,
@@ -32,7 +33,7 @@ DIAGNOSES = {
     " glEnable(GL_NORMALIZE)",
     "normals-not-unit": "normals have length {length} in eye space (glNormal got {given}): glEnable(GL_NORMALIZE)",
     "light-before-camera": "the position of GL_LIGHT{light} was set before {camera}: it is fixed to the camera;"
-    " set GL_POSITION after gluLookAt to fix it in the world",
+    " if it shall stay in the world, set GL_POSITION after gluLookAt",
     "lighting-without-normals": "GL_LIGHTING is on, but no normal was ever set: every vertex has (0, 0, 1), so the"
     " light does not depend on the surface; call glNormal before glVertex",
     "color-material-order": "glEnable(GL_COLOR_MATERIAL){line} came before this glColorMaterial: in between the current"
@@ -43,9 +44,9 @@ DIAGNOSES = {
     " resolution",
     "radians": "{call} turns by {angle:.4g} degrees; if {degrees:.6g} degrees were meant, leave out the conversion:"
     " glRotate takes degrees",
-    "matrix-stack": "this glPushMatrix has no glPopMatrix: the stack grows with each frame and will overflow",
-    "depth-not-cleared": "GL_DEPTH_TEST is on, but glClear never clears the depth buffer: the next frame is hidden"
-    " behind this one; add GL_DEPTH_BUFFER_BIT",
+    "matrix-stack": "this glPushMatrix has no glPopMatrix: if that is so in each frame, the stack overflows",
+    "depth-not-cleared": "GL_DEPTH_TEST is on, but this glClear leaves the depth buffer as it is: the next frame is"
+    " hidden behind this one; add GL_DEPTH_BUFFER_BIT",
     "error": "{error}",
 }
 
@@ -66,10 +67,10 @@ class Detector:
         self.frame = frame
         self.color_material_on: int | None = None  # glEnable(GL_COLOR_MATERIAL) that came before any glColorMaterial
         self.color_material_said = False
-        self.pushes: list[int] = []
-        self.cleared_color: int | None = None
-        self.cleared_depth = False
-        self.tested = False  # whether a Draw had the depth test on
+        self.pushes: dict[int, list[int]] = {}  # by matrix mode
+        self.clear: int | None = None  # the last glClear of the colour buffer
+        self.depth_clear: int | None = None
+        self.stale: int | None = None  # a glClear before a Draw with the depth test, without the depth buffer
 
     def _mistake(self, kind: str, number: int, **words: Any) -> Mistake:
         where = self.frame.calls[number].where if 0 <= number < len(self.frame.calls) else None
@@ -95,13 +96,14 @@ class Detector:
             if near is not None and near <= 0.0:
                 yield self._mistake("near-plane", number, call=_via(call) or call_text(call), near=near)
         elif name == "glPushMatrix" and after is not before:
-            self.pushes.append(number)
-        elif name == "glPopMatrix" and self.pushes and after is not before:
-            self.pushes.pop()
+            self.pushes.setdefault(before.state.transform.matrix_mode, []).append(number)
+        elif name == "glPopMatrix" and self.pushes.get(before.state.transform.matrix_mode) and after is not before:
+            self.pushes[before.state.transform.matrix_mode].pop()
         elif name == "glClear":
             if int(arguments[0]) & GL_COLOR_BUFFER_BIT:
-                self.cleared_color = number
-            self.cleared_depth |= bool(int(arguments[0]) & GL_DEPTH_BUFFER_BIT)
+                self.clear = number
+            if int(arguments[0]) & GL_DEPTH_BUFFER_BIT:
+                self.depth_clear = number
 
     def _color_material(self, number: int, before: Moment, after: Moment) -> Iterator[Mistake]:
         old, new = before.state.lighting, after.state.lighting
@@ -114,7 +116,8 @@ class Detector:
 
     def draw(self, draw: Draw, provenance: Provenance) -> Iterator[Mistake]:
         state, call = draw.state, draw.call or 0
-        self.tested |= state.depth.test
+        if state.depth.test and state.depth.func != GL_ALWAYS and self.clear is not None and not self._together():
+            self.stale = self.clear
         chosen = assembled(draw)
         if not state.lighting.enabled or not len(chosen):
             return
@@ -124,6 +127,14 @@ class Detector:
             for kind, numbers in (*_lengths(draw, chosen), *_lost_highlight(draw, chosen)):
                 yield self._mistake(kind, call, **numbers)
         yield from self._lights(draw, provenance)
+
+    def _together(self) -> bool:
+        """Whether the depth buffer was cleared with, or a few lines from, the last glClear of colours."""
+        if self.clear is None or self.depth_clear is None:
+            return False
+        one, two = (self.frame.calls[number].where for number in (self.clear, self.depth_clear))
+        near = one is not None and two is not None and one.file == two.file and abs(one.line - two.line) <= 15
+        return self.depth_clear >= self.clear or near
 
     def _without_normals(self, draw: Draw, chosen: NDArray[np.uint32], provenance: Provenance) -> bool:
         """Whether all normals are the initial one, and the surface is not."""
@@ -157,12 +168,13 @@ class Detector:
     # ------------------------------------------------------------ the end
 
     def end(self) -> Iterator[Mistake]:
-        for push in self.pushes:
+        for push in sorted(push for pushes in self.pushes.values() for push in pushes):
             yield self._mistake("matrix-stack", push)
-        if self.cleared_color is not None and not self.cleared_depth and self.tested:
-            yield self._mistake("depth-not-cleared", self.cleared_color)
+        if self.stale is not None:
+            yield self._mistake("depth-not-cleared", self.stale)
         if self.frame.error:
-            yield self._mistake("error", len(self.frame.calls) - 1, error=self.frame.error)
+            last = len(self.frame.calls) - 1
+            yield self._mistake("error", last, error=self.frame.error)._replace(where=self.frame.error_at)
 
 
 def _via(call: Call) -> str:
@@ -170,12 +182,12 @@ def _via(call: Call) -> str:
 
 
 def _is_radians(angle: float) -> bool:
-    """Whether an angle for glRotate looks like degrees converted to radians: exactly a whole number of degrees, or 30,
-    45, 60, 90, ... degrees in a few digits."""
+    """Whether an angle for glRotate looks like degrees converted to radians: exactly a whole or half number of degrees,
+    or 30, 45, 60, 90, ... degrees in a few digits."""
     if angle == 0.0 or abs(angle) > 2.0 * math.pi + 1e-6 or angle.is_integer():
         return False
     degrees = abs(math.degrees(angle))
-    exact = abs(degrees - round(degrees)) < 1e-6 and degrees > 0.5
+    exact = abs(2.0 * degrees - round(2.0 * degrees)) < 1e-6 and degrees > 0.5
     return exact or any(abs(degrees - usual) < 2e-3 * usual for usual in (30, 45, 60, 90, 120, 135, 150, 180, 270, 360))
 
 

@@ -190,7 +190,7 @@ class Player:
                 name = f"frame_{played.step - 1:03d}{suffix}.png"
                 self._keep(window.shown, name)
         self.saved = MONOTONIC()
-        if self.frame is not None and (played.steps is None or played.step >= played.steps):
+        if self.frame is not None and played.step == max(played.steps or 1, 1 + len(played.events)):
             self._keep_frame(self.frame)
         if self.screen is not None:
             self.screen.after_step(played)

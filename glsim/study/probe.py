@@ -6,13 +6,21 @@ follows it are evaluated in NumPy (glsim.shading, glsim.study.fragments).  What 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, is_dataclass
+import operator
+from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.constants import GL_NONE, GL_PHONG_LOBE_GLSIM, GL_POLYGON, GL_QUAD_STRIP, GL_QUADS
+from glsim.machine.constants import (
+    GL_COLOR_BUFFER_BIT,
+    GL_NONE,
+    GL_PHONG_LOBE_GLSIM,
+    GL_QUAD_STRIP,
+    GL_QUADS,
+    GL_RETURN,
+)
 from glsim.machine.frame import Accum, Clear, Draw, Frame, Packet, Pixels, QueryMark, Where
 from glsim.machine.state import Scissor
 from glsim.render.context import Offscreen, offscreen
@@ -30,6 +38,7 @@ from glsim.study.fragments import (
     to_8_bits,
 )
 from glsim.study.frames import frame_of
+from glsim.study.provenance import enum_name
 
 Numbers = tuple[float, ...]
 Bytes = tuple[int, int, int, int]
@@ -40,8 +49,9 @@ DEPTHS = (1 << 24) - 1
 @dataclass(frozen=True)
 class Vertex:
     """A corner of the primitive.  number: in the program's Draw, -1 if glsim made it; position: in object space; eye:
-    in eye space; normal: in eye space, as the equation takes it; window: pixels from the lower left and depth.
-    linear: weight on the screen; hyperbolic: perspective-correct weight.  color: what the vertex brings, RGBA."""
+    in eye space; normal: in eye space, before it is turned round for a back side; window: pixels from the lower left
+    and depth, NaN if the corner is behind the eye.  linear: weight on the screen, NaN if a corner is behind the eye;
+    hyperbolic: perspective-correct weight.  color: what the vertex brings, RGBA."""
 
     number: int
     position: Numbers
@@ -137,24 +147,43 @@ class Fragment:
 
 
 @dataclass(frozen=True)
+class Event:
+    """What is no fragment: glClear, glAccum.  covers: whether what was there before is gone; after: the pixel then."""
+
+    packet: int
+    what: str
+    where: Where | None
+    covers: bool
+    after: Bytes
+
+
+@dataclass(frozen=True)
 class Probe:
     """A pixel and all that happened to it.
 
-    x, y: from the upper left.  pixel: in the picture, RGBA of 8 bits; computed: by the equation, and equal within 1.
-    events: (number of the packet, what it was) for what is no fragment: glClear, glAccum.
+    x, y: from the upper left; height: of the picture.  pixel: in the picture, RGBA of 8 bits; computed: by the
+    equation, and equal within 1.
     """
 
     x: int
     y: int
+    height: int
     pixel: Bytes
     computed: Bytes
     fragments: tuple[Fragment, ...]
-    events: tuple[tuple[int, str], ...]
+    events: tuple[Event, ...]
+
+    @property
+    def covered(self) -> Event | None:
+        """The last glClear or glAccum that left nothing of what was there before."""
+        return next((event for event in reversed(self.events) if event.covers), None)
 
     @property
     def winner(self) -> Fragment | None:
-        """The last fragment that was written, None where only the background is seen."""
-        return next((fragment for fragment in reversed(self.fragments) if not fragment.killed), None)
+        """The last fragment that was written and is still there; None where only the background is seen."""
+        first = -1 if self.covered is None else self.covered.packet
+        seen = (fragment for fragment in reversed(self.fragments) if not fragment.killed and fragment.packet > first)
+        return next(seen, None)
 
     def as_dict(self) -> dict[str, Any]:
         """Plain dictionaries, lists and numbers: for JSON."""
@@ -182,7 +211,7 @@ class Probe:
 
 
 def plain(value: Any) -> Any:
-    """Dataclasses and tuples -> dictionaries and lists; an infinite distance becomes None."""
+    """Dataclasses and tuples -> dictionaries and lists; what is not finite becomes None."""
     if is_dataclass(value):
         return {entry.name: plain(getattr(value, entry.name)) for entry in fields(value)}
     if isinstance(value, Where):
@@ -228,12 +257,13 @@ class Prober:
     def at(self, x: int, y: int) -> Probe:
         """All that happened to a pixel.  Raises ValueError for one outside of the picture."""
         width, height = self.frame.width, self.frame.height
+        x, y = operator.index(x), operator.index(y)
         if not (0 <= x < width and 0 <= y < height):
             raise ValueError(f"probe: the picture has {width} x {height} pixels, and ({x}, {y}) is not one of them")
         up = height - 1 - int(y)
         self.screen.reset()
         fragments: list[Fragment] = []
-        events: list[tuple[int, str]] = []
+        events: list[Event] = []
         for number, packet in enumerate(self.frame.packets):
             for piece in self.pieces[number]:
                 for primitive in candidates(piece, x, up).tolist():
@@ -242,14 +272,14 @@ class Prober:
                         fragments.append(fragment)
             if isinstance(packet, (Clear, Accum, QueryMark)):
                 self.screen.execute([_at(packet, x, up)])
-                if not isinstance(packet, QueryMark):
-                    events.append((number, f"{_name(packet)}: {self._pixel(x, up)}"))
+            if isinstance(packet, (Clear, Accum)):
+                where, after = _line(self.frame, packet), self._pixel(x, up)
+                events.append(Event(number, _name(packet), where, _covers(packet, x, up), after))
         pixel = self._pixel(x, up)
-        last = next((fragment for fragment in reversed(fragments) if not fragment.killed), None)
-        cleared = last is None or any(number > last.packet for number, _ in events)
-        return Probe(
-            int(x), int(y), pixel, pixel if cleared or last is None else last.computed, tuple(fragments), tuple(events)
-        )
+        result = Probe(x, y, height, pixel, pixel, tuple(fragments), tuple(events))
+        winner = result.winner
+        untouched = winner is not None and all(event.packet < winner.packet for event in events)
+        return replace(result, computed=winner.computed) if winner is not None and untouched else result
 
     def _pixel(self, x: int, y: int) -> Bytes:
         r, g, b, a = self.screen.read(x, y, 1, 1, "color")[0, 0].tolist()
@@ -281,7 +311,7 @@ class Prober:
             where=_line(self.frame, packet),
             what=what,
             front=sample.front,
-            shading="none" if rectangle else _shading(lit, piece),
+            shading="none" if rectangle else _shading(lit, piece, not sample.front),
             vertices=() if rectangle else _vertices(one, sample, lit),
             P=_floats(lit.P[0]),
             N=_floats(lit.N[0]),
@@ -304,7 +334,7 @@ def _name(packet: Packet) -> str:
     if isinstance(packet, Clear):
         return "glClear"
     if isinstance(packet, Accum):
-        return f"glAccum({packet.operation!r})"
+        return f"glAccum({enum_name(int(packet.operation))})"
     if isinstance(packet, Pixels):
         return "glCopyPixels" if packet.copied else "glBitmap" if packet.kind == "bitmap" else "glDrawPixels"
     return "query" if isinstance(packet, QueryMark) else repr(packet.mode)
@@ -314,22 +344,33 @@ def _mode(packet: Packet, piece: Piece, primitive: int) -> str:
     assert isinstance(packet, Draw)
     if piece.corners == 3 and packet.mode in (GL_QUADS, GL_QUAD_STRIP) and piece.source is not None:
         return f"{packet.mode!r}, quad {primitive // 2}"
-    return f"{packet.mode!r}" + (" (a whole polygon)" if packet.mode == GL_POLYGON else "")
+    return repr(packet.mode)
 
 
 def _line(frame: Frame, packet: Packet) -> Where | None:
-    number = packet.call if isinstance(packet, Draw) else None
+    number = None if isinstance(packet, QueryMark) else packet.call
     return frame.calls[number].where if number is not None and number < len(frame.calls) else None
 
 
-def _shading(lit: Shaded, piece: Piece) -> str:
+def _shading(lit: Shaded, piece: Piece, back: bool) -> str:
     lighting = piece.draw.state.lighting
     if not lighting.enabled:
-        return "no lighting, " + ("flat" if lit.where == "provoking" else "colours interpolated")
+        return "no lighting, " + (
+            "flat: the last vertex's colour" if lit.where == "provoking" else "colours interpolated"
+        )
     names = {"provoking": "flat: the equation at the provoking vertex",
              "vertex": "Gouraud: the equation at the vertices, colours interpolated",
              "fragment": "Phong: normals interpolated, the equation at the fragment"}  # fmt: skip
-    return names[lit.where]
+    turned = ", back side: N turned round" if lighting.two_side and back and piece.corners == 3 else ""
+    return names[lit.where] + turned
+
+
+def _covers(packet: Clear | Accum, x: int, y: int) -> bool:
+    """Whether a glClear, or glAccum(GL_RETURN), leaves nothing of the pixel's colour."""
+    test, mask = packet.state.scissor, packet.state.color_buffer.mask
+    inside = not test.test or (test.x <= x < test.x + test.width and test.y <= y < test.y + test.height)
+    colors = packet.mask & GL_COLOR_BUFFER_BIT if isinstance(packet, Clear) else packet.operation == GL_RETURN
+    return bool(colors) and inside and all(mask[:3])
 
 
 def _floats(values: Any) -> Numbers:
@@ -355,9 +396,10 @@ def _vertices(one: Piece, sample: Sample, lit: Shaded) -> tuple[Vertex, ...]:
     rows = lit.corners[0]
     stage, weights = lit.stage, lit.weights[0]
     on_screen = weights * stage.clip[rows, 3]
-    linear = on_screen / on_screen.sum() if on_screen.sum() else weights
+    in_front = stage.clip[rows, 3] > 0.0
+    linear = on_screen / on_screen.sum() if in_front.all() else np.full(len(rows), np.nan)
     numbers = [-1] * len(rows) if one.source is None else one.source[0].tolist()
-    at = window(stage.clip[rows], one.draw.state.viewport)
+    at = np.where(in_front[:, None], window(stage.clip[rows], one.draw.state.viewport), np.nan)
     positions = one.draw.block.rows[one.vertices(np.zeros(1, np.int64))[0], :3]
     colors = stage.current[rows]
     if lit.where in ("vertex", "provoking") and lit.terms is not None:
@@ -448,7 +490,8 @@ def _afterwards(
     for step in textured(state.texture.units, primary, sample.texels):
         color = step.color
         texel = ", ".join(f"{value:.4f}" for value in step.texel)
-        steps.append(Step(f"texture unit {step.unit}", f"{step.environment!r} with texel ({texel})", _floats(color)))
+        words = f"{enum_name(int(step.environment))} with texel ({texel})"
+        steps.append(Step(f"texture unit {step.unit}", words, _floats(color)))
     if (highlight > 0.0).any() or state.fog.color_sum:
         color = np.append(np.minimum(color[:3] + highlight, 1.0), color[3])
         steps.append(Step("highlight", "added after texturing", _floats(color)))
@@ -463,6 +506,8 @@ def _afterwards(
     killed = _tests(one, sample, color, depth, stencil, steps)
     if killed:
         return steps, killed, before
+    if not any(state.color_buffer.mask) or state.color_buffer.draw_buffer == GL_NONE:
+        return steps, "colour mask", before
     return steps, "", _written(one, color, before, steps)
 
 

@@ -8,37 +8,39 @@ a machine whose every piece of state is an object of its own: what is another ob
 from __future__ import annotations
 
 import operator
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.gl.lists import numbers_called
+from glsim.machine import constants
 from glsim.machine.commands import COMMANDS
 from glsim.machine.constants import (
     GL_ACCUM_BUFFER_BIT,
     GL_COLOR_BUFFER_BIT,
     GL_COMPILE,
+    GL_CURRENT_BIT,
     GL_DEPTH_BUFFER_BIT,
     GL_MODELVIEW,
     GL_PROJECTION,
     GL_STENCIL_BUFFER_BIT,
     GL_TEXTURE,
+    Enum,
 )
 from glsim.machine.current import current_machine, make_current
 from glsim.machine.errors import GLError
-from glsim.machine.frame import Call, Frame, Moment
-from glsim.machine.machine import Machine
+from glsim.machine.frame import Call, Frame, Moment, Trail
+from glsim.machine.machine import MAX_LIST_NESTING, Machine
 from glsim.machine.matrix import leaf
-from glsim.machine.record import REGISTERS_ONLY, implementations
+from glsim.machine.record import REGISTERS_ONLY, implementations, moment
 from glsim.machine.state import Material, Snapshot
 
 Path = tuple[str | int, ...]
 BEFORE = -1  # in place of a call: it was set before the recording began
 
-# They set state as it was at another time, or what their lists say: only what they change is theirs.
-RESTORING = {"glPopAttrib", "glPushAttrib", "glCallList", "glCallLists"}
 # Families that set pieces of a Snapshot or of the material from their arguments.
 SETTING = {
     "glActiveTexture", "glAlphaFunc", "glBindTexture", "glBlendColor", "glBlendEquation", "glBlendFunc",
@@ -51,6 +53,9 @@ SETTING = {
 }  # fmt: skip
 MULTIPLYING = {"glMultMatrix", "glMultTransposeMatrix", "glTranslate", "glScale", "glRotate", "glFrustum", "glOrtho"}
 LOADING = {"glLoadIdentity", "glLoadMatrix", "glLoadTransposeMatrix"}
+CALLING = ("glCallList", "glCallLists")
+# what is done again to follow a display list: everything but drawing
+REPLAYED = SETTING | MULTIPLYING | LOADING | {"glPushMatrix", "glPopMatrix", "glPushAttrib", "glPopAttrib"}
 
 
 class _Integer(int):
@@ -116,29 +121,36 @@ class _NoDevice:
 
 
 class _Scratch:
-    """Runs single calls on a machine of its own."""
+    """Runs calls on machines of its own."""
 
     def __init__(self) -> None:
         self.machine = Machine(_NoDevice())  # type: ignore[arg-type]
 
     def sets(self, call: Call, before: Moment) -> list[Path]:
-        m = self.machine
+        """The pieces of state that a call sets, also to the value they have."""
         state, material = _own(before.state), _own(before.material)
-        for name, group in zip(Snapshot._fields, state, strict=True):
-            setattr(m, name, group)
-        m.material, m.inside, m.busy = material, None, False
+        m = self._load(self.machine, state, material)
         m.modelview[-1] = leaf(before.matrices[0].get())
-        current = current_machine()
-        make_current(m)
-        try:
-            implementations[call.name](*call.arguments)
-        except (GLError, TypeError, ValueError, IndexError, KeyError, OverflowError, NotImplementedError):
-            return []
-        finally:
-            make_current(current if isinstance(current, Machine) else None)
+        _run(m, call)
         after = Snapshot(*(getattr(m, name) for name in Snapshot._fields))
         same = operator.is_
         return [*_paths(state, after, same), *_paths(material, m.material, same, ("material",))]
+
+    def at(self, before: Moment) -> Machine:
+        """A machine in that state."""
+        m = self._load(Machine(_NoDevice()), before.state, before.material)  # type: ignore[arg-type]
+        stacks = (m.modelview, m.projection, *m.texture_stacks)
+        for stack, matrix, depth in zip(stacks, before.matrices, before.depths, strict=True):
+            stack[:] = [leaf(matrix.get())] * depth
+        m.stacks[GL_TEXTURE] = m.texture_stacks[m.texture.active_unit]
+        m.stack = m.stacks[m.transform.matrix_mode]
+        return m
+
+    def _load(self, m: Machine, state: Snapshot, material: Material) -> Machine:
+        for name, group in zip(Snapshot._fields, state, strict=True):
+            setattr(m, name, group)
+        m.material, m.inside, m.busy = material, None, False
+        return m
 
 
 class Placed(NamedTuple):
@@ -165,8 +177,21 @@ class Provenance:
     registers: dict[str, int] = field(default_factory=dict)
 
 
+class Step(NamedTuple):
+    """One call of the walk: the state before and after it, the paths it set, who set what by then, and if it is in a
+    display list that call ``number`` called, where."""
+
+    number: int
+    call: Call
+    before: Moment
+    after: Moment
+    paths: list[Path]
+    provenance: Provenance
+    trail: Trail = ()
+
+
 class History:
-    """Walks through the calls of a frame once; ``upto`` gives the provenance after each call in turn."""
+    """Walks through the calls of a frame, and through display lists as they are called."""
 
     def __init__(self, frame: Frame) -> None:
         if not frame.history:
@@ -174,14 +199,14 @@ class History:
         self.frame = frame
         self.moments = {moment.call: moment for moment in frame.history}
         self.scratch = _Scratch()
-        self.known: dict[tuple[Any, ...], list[Path]] = {}
+        self.found = Provenance()
+        self.saved: list[tuple[dict[Path, int], dict[str, int], int]] = []  # by glPushAttrib
+        self.lists: dict[int, list[int]] = {}
+        self.base = 0  # glListBase
 
-    def walk(self) -> Iterator[tuple[int, Call, Moment, Moment, list[Path], Provenance]]:
-        """For each call: its number, itself, the state before and after, the paths it set, and the provenance after it.
-
-        The provenance is one object that goes on changing.
-        """
-        found = Provenance()
+    def walk(self) -> Iterator[Step]:
+        """Each call in turn.  The provenance is one object that goes on changing."""
+        found = self.found
         first = self.frame.history[0]
         for name, matrix in zip(NAMES, first.matrices, strict=True):
             untouched = np.array_equal(matrix.get(), np.eye(4, dtype=np.float32))
@@ -189,38 +214,73 @@ class History:
         for path in _paths(INITIAL, first.state, operator.eq):
             if path[-2] != "bound":  # every machine has texture objects of its own
                 found.setters[path] = BEFORE
-        saved: list[dict[Path, int]] = []
-        lists: dict[int, list[int]] = {}
         compiling: list[int] | None = None
         executing = True
         before = first
         start = first.call + 1
         for number, call in enumerate(self.frame.calls[start:], start):
             after = self.moments.get(number, before)
+            listed = COMMANDS[call.name].listed
             if call.name == "glNewList":
-                compiling, executing = lists.setdefault(int(call.arguments[0]), []), call.arguments[1] != GL_COMPILE
+                compiling, executing = (
+                    self.lists.setdefault(int(call.arguments[0]), []),
+                    call.arguments[1] != GL_COMPILE,
+                )
                 compiling.clear()
             elif call.name == "glEndList":
                 compiling, executing = None, True
-            elif compiling is not None:
+            elif compiling is not None and listed:
                 compiling.append(number)
             paths: list[Path] = []
-            if executing or not COMMANDS[call.name].listed:
-                paths = self._sets(call, before, after)
-                self._apply(found, number, call, before, after, paths, saved)
-                if call.name == "glCallList":
-                    self._inside(found, number, lists.get(int(call.arguments[0]), []), before, paths)
-            yield number, call, before, after, paths, found
+            if call.name == "glListBase" and executing:
+                self.base = int(call.arguments[0])
+            if executing or not listed:
+                if call.name in CALLING:
+                    paths = yield from self._called(number, call, before, after)
+                else:
+                    paths = self._sets(call, before, after)
+                    self._apply(number, call, before, after, paths)
+            yield Step(number, call, before, after, paths, found)
             before = after
 
-    def upto(self, number: int) -> Provenance:
-        """Who had set what after call ``number``."""
-        last = Provenance()
-        for at, *_, found in self.walk():
-            last = found
-            if at >= number:
-                break
-        return last
+    def _called(self, number: int, call: Call, before: Moment, after: Moment) -> Generator[Step, None, list[Path]]:
+        """What a display list does, call by call; whatever that leaves unexplained is the work of the list."""
+        old = dict(self.found.setters)
+        machine = self.scratch.at(before)
+        for which in self._called_by(call):
+            yield from self._inside(machine, number, which, ())
+        paths = changed(before, after)
+        for path in paths:
+            if self.found.setters.get(path) == old.get(path):
+                self.found.setters[path] = number
+        return paths
+
+    def _inside(self, machine: Machine, number: int, which: int, trail: Trail) -> Iterator[Step]:
+        if len(trail) >= MAX_LIST_NESTING:
+            return
+        for position, at in enumerate(self.lists.get(which, [])):
+            call, here = self.frame.calls[at], (*trail, (which, position))
+            before = after = moment(machine, at)
+            paths: list[Path] = []
+            if call.name in CALLING:
+                for inner in self._called_by(call):
+                    yield from self._inside(machine, number, inner, here)
+                after = moment(machine, at)
+            elif call.name in REGISTERS_ONLY or COMMANDS[call.name].family in REPLAYED:
+                if call.name not in REGISTERS_ONLY:
+                    _run(machine, call)
+                    after = moment(machine, at)
+                paths = self._sets(call, before, after)
+                self._apply(at, call, before, after, paths)
+                self.found.through.update({path: number for path in paths if self.found.setters.get(path) == at})
+            yield Step(number, call, before, after, paths, self.found, here)
+
+    def _called_by(self, call: Call) -> list[int]:
+        """The numbers of the lists that a glCallList or glCallLists calls."""
+        if call.name == "glCallList":
+            return [int(call.arguments[0])]
+        arguments = [argument for argument in call.arguments if argument is not None]
+        return numbers_called(self.base, *arguments)
 
     def _sets(self, call: Call, before: Moment, after: Moment) -> list[Path]:
         if call.name in REGISTERS_ONLY:
@@ -231,17 +291,18 @@ class History:
             return paths
         return list(dict.fromkeys(paths + self.scratch.sets(call, before)))
 
-    def _apply(
-        self, found: Provenance, number: int, call: Call, before: Moment, after: Moment, paths: list[Path],
-        saved: list[dict[Path, int]],
-    ) -> None:  # fmt: skip
-        family = COMMANDS[call.name].family
+    def _apply(self, number: int, call: Call, before: Moment, after: Moment, paths: list[Path]) -> None:
+        found = self.found
         if call.name in REGISTERS_ONLY:
-            found.registers[family] = number
+            found.registers[COMMANDS[call.name].family] = number
             return
         if call.name == "glPushAttrib":
-            saved.append(dict(found.setters))
-        old = saved.pop() if call.name == "glPopAttrib" and saved else None
+            self.saved.append((dict(found.setters), dict(found.registers), int(call.arguments[0])))
+        old: dict[Path, int] | None = None
+        if call.name == "glPopAttrib" and self.saved:
+            old, registers, mask = self.saved.pop()
+            if mask & GL_CURRENT_BIT:
+                found.registers = registers
         for path in paths:
             found.through.pop(path, None)
             if old is None:
@@ -251,15 +312,13 @@ class History:
             else:
                 found.setters.pop(path, None)
             if path[-1] in ("position", "spot_direction", "eye_plane") or path[:2] == ("transform", "clip_planes"):
-                chain = found.chains["modelview"][-1]
-                found.placed[path] = Placed(before.matrices[0].get(), tuple(chain))
-        self._matrices(found, number, call, before, after)
+                found.placed[path] = Placed(before.matrices[0].get(), tuple(found.chains["modelview"][-1]))
+        self._matrices(number, call, before, after)
 
-    def _matrices(self, found: Provenance, number: int, call: Call, before: Moment, after: Moment) -> None:
-        mode = before.state.transform.matrix_mode
-        unit = before.state.texture.active_unit
+    def _matrices(self, number: int, call: Call, before: Moment, after: Moment) -> None:
+        mode, unit = before.state.transform.matrix_mode, before.state.texture.active_unit
         name = {GL_MODELVIEW: "modelview", GL_PROJECTION: "projection", GL_TEXTURE: f"texture{unit}"}[mode]  # type: ignore[index]
-        stack = found.chains[name]
+        stack = self.found.chains[name]
         family = COMMANDS[call.name].family
         if family == "glPushMatrix" and after is not before:
             stack.append(list(stack[-1]))
@@ -267,28 +326,20 @@ class History:
             stack.pop()
         elif family in LOADING:
             stack[-1] = [number]
-        elif family in (
-            "glMultMatrix",
-            "glMultTransposeMatrix",
-            "glTranslate",
-            "glScale",
-            "glRotate",
-            "glFrustum",
-            "glOrtho",
-        ):
+        elif family in MULTIPLYING:
             stack[-1] = [*stack[-1], number]
-        elif call.name in RESTORING and after is not before:  # a list that moved things
-            for which, a, b in zip(NAMES, before.matrices, after.matrices, strict=True):
-                if a is not b:
-                    found.chains[which][-1] = [*found.chains[which][-1], number]
 
-    def _inside(self, found: Provenance, number: int, calls: list[int], before: Moment, paths: list[Path]) -> None:
-        """What a display list set is the work of the calls in it."""
-        for at in calls:
-            call = self.frame.calls[at]
-            if COMMANDS[call.name].family in SETTING:
-                for path in self.scratch.sets(call, before):
-                    found.setters[path], found.through[path] = at, number
+
+def _run(machine: Machine, call: Call) -> None:
+    """Execute a call on a machine of its own; errors were the program's."""
+    current = current_machine()
+    make_current(machine)
+    try:
+        implementations[call.name](*call.arguments)
+    except (GLError, TypeError, ValueError, IndexError, KeyError, OverflowError, NotImplementedError):
+        pass
+    finally:
+        make_current(current if isinstance(current, Machine) else None)
 
 
 BUFFER_BITS = (GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT, GL_STENCIL_BUFFER_BIT, GL_ACCUM_BUFFER_BIT)
@@ -299,7 +350,9 @@ INITIAL = Snapshot._make(getattr(Machine(_NoDevice()), name) for name in Snapsho
 def call_text(call: Call) -> str:
     """A call as it would be written, at most a line."""
     via = f"{call.where.via}: " if call.where is not None and call.where.via else ""
-    words = ", ".join(_argument(argument) for argument in call.arguments if argument is not None)
+    kinds = [kind for _, kind in COMMANDS[call.name].arguments]
+    given = zip(call.arguments, [*kinds, *[""] * len(call.arguments)], strict=False)
+    words = ", ".join(_argument(argument, kind) for argument, kind in given if argument is not None)
     if call.name == "glClear":
         names = [repr(bit) for bit in BUFFER_BITS if int(call.arguments[0]) & bit]
         words = " | ".join(names) or words
@@ -307,7 +360,21 @@ def call_text(call: Call) -> str:
     return text if len(text) <= 110 else text[:107] + "..."
 
 
-def _argument(value: Any) -> str:
+def enum_name(value: Any) -> str:
+    """The name of a constant, whoever computed it: GL_LIGHT0 + 1, or a number that a state variable holds."""
+    if isinstance(value, Enum) or not isinstance(value, int) or isinstance(value, bool):
+        return repr(value)
+    return repr(_ENUMS.get(value, value))
+
+
+# Smaller values are shared by many names.
+_ENUMS = {int(value): value for value in reversed(vars(constants).values()) if isinstance(value, Enum) and value > 255}
+
+
+def _argument(value: Any, kind: str = "") -> str:
+    if kind in ("enum", "param"):
+        return enum_name(int(value)) if isinstance(value, float) and value > 255 and value.is_integer() else (
+            enum_name(value) if isinstance(value, int) else _argument(value))  # fmt: skip
     if isinstance(value, np.ndarray):
         return f"array of shape {value.shape}" if value.size > 16 else _argument(value.ravel().tolist())
     if isinstance(value, (list, tuple)):

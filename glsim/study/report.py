@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import isnan
 from pathlib import Path
 from typing import Any
 
@@ -45,14 +46,15 @@ def probe_report(probe: Probe) -> Group:
     parts.append(_history(probe))
     winner = probe.winner
     if winner is None:
-        parts.append("No fragment was written here: this is the background.")
+        by = f", by {probe.covered.what} {line(probe.covered.where)}".rstrip() if probe.covered is not None else ""
+        parts.append(f"No fragment is seen here: this is the background{by}.")
         return Group(*parts)
     draw = f"draw {winner.draw}, " if winner.draw >= 0 else ""
-    side = "front" if winner.front else "back"
-    title = f"{draw}{winner.what}, {side} side {place(winner)}".rstrip()
+    side = f", {'front' if winner.front else 'back'} side" if len(winner.vertices) == 3 else ""
+    title = f"{draw}{winner.what}{side} {place(winner)}".rstrip()
     parts += ["", Text(f"It shows {title}", style="bold")]
     if winner.vertices:
-        parts += [Text(winner.shading), _vertices(winner)]
+        parts += [Text(winner.shading), _vertices(winner, probe.height)]
         if winner.evaluations:
             parts.append(f"at the pixel, in eye space:  P = {vector(winner.P)}   N = {vector(winner.N)}")
     parts += [_evaluation(evaluation) for evaluation in winner.evaluations]
@@ -61,31 +63,33 @@ def probe_report(probe: Probe) -> Group:
 
 
 def _history(probe: Probe) -> Table:
-    table = Table(
-        "packet", "what came to the pixel", "where", "outcome", "pixel", title="History", title_justify="left"
-    )
+    headings = ("#", "what came to the pixel", "where", "outcome", "pixel")
+    table = Table(*headings, title="History", title_justify="left")
     rows: list[tuple[int, tuple[Any, ...]]] = []
-    for number_of, words in probe.events:
-        name, _, result = words.partition(": ")
-        rows.append((number_of, (str(number_of), name, "", "", result)))
+    first = -1 if probe.covered is None else probe.covered.packet
+    for event in probe.events:
+        row = (str(event.packet), event.what, line(event.where), "covers all" if event.covers else "", str(event.after))
+        rows.append((event.packet, row))
     for fragment in probe.fragments:
         outcome = f"fails the {fragment.killed}" if fragment.killed else "written"
-        rows.append(
-            (fragment.packet, (str(fragment.packet), fragment.what, place(fragment), outcome, str(fragment.after)))
-        )
+        outcome = "not written: colour mask" if fragment.killed == "colour mask" else outcome
+        outcome += ", covered later" if not fragment.killed and fragment.packet < first else ""
+        row = (str(fragment.packet), fragment.what, place(fragment), outcome, str(fragment.after))
+        rows.append((fragment.packet, row))
     for _, row in sorted(rows, key=lambda entry: entry[0]):
         table.add_row(*row)
     return table
 
 
-def _vertices(fragment: Fragment) -> Table:
+def _vertices(fragment: Fragment, height: int) -> Table:
+    """On the screen y counts from the top, as the pixel's does."""
     table = Table("vertex", "object space", "eye space", "normal", "on screen", title_justify="left")
     for heading in ("linear", "hyperbolic", "R", "G", "B"):
         table.add_column(heading, justify="right")
     for v in fragment.vertices:
         name = str(v.number) if v.number >= 0 else "-"
-        at = f"({v.window[0]:.1f}, {v.window[1]:.1f})"
-        weights = (f"{v.linear:.4f}", f"{v.hyperbolic:.4f}")
+        at = "behind the eye" if isnan(v.window[0]) else f"({v.window[0]:.1f}, {height - v.window[1]:.1f})"
+        weights = ("-" if isnan(v.linear) else f"{v.linear:.4f}", f"{v.hyperbolic:.4f}")
         table.add_row(
             name, vector(v.position), vector(v.eye[:3]), vector(v.normal), at, *weights, *map(number, v.color[:3])
         )
@@ -123,20 +127,22 @@ def _light_rows(row: Any, light: LightTerms) -> None:
     of = "N.H" if light.vector == "H" else "R.V"
     row("", f"{light.vector} = {vector(light.direction)}, V = {vector(light.V)}")
     row("", f"{of} = {number(light.cosine)}, ({of})^n = {number(light.power)}")
-    row("  ambient", f"k_a I_a, I_a = {vector(light.I_a)}", light.ambient)
-    row("  diffuse", f"k_d I_d (N.L), I_d = {vector(light.I_d)}", light.diffuse)
-    row("  specular", f"k_s I_s ({of})^n, I_s = {vector(light.I_s)}", light.specular, end_section=True)
+    f = "" if light.attenuation == light.spot == 1.0 else "attenuation spot "
+    row("  ambient", f"{f}k_a I_a, I_a = {vector(light.I_a)}", light.ambient)
+    row("  diffuse", f"{f}k_d I_d (N.L), I_d = {vector(light.I_d)}", light.diffuse)
+    row("  specular", f"{f}k_s I_s ({of})^n, I_s = {vector(light.I_s)}", light.specular, end_section=True)
 
 
 def _afterwards(fragment: Fragment) -> Table:
     table = Table("step", "how", title="From there to the picture", title_justify="left")
     for channel in "RGBA":
         table.add_column(channel, justify="right")
-    how = {
-        "vertex": "the vertices' colours times their hyperbolic weights",
-        "provoking": "the provoking vertex' colour",
+    ways = {
+        "flat": "the provoking vertex' own",
+        "colours interpolated": "the vertices' colours times their hyperbolic weights",
+        "Phong": "the fragment's own",
     }
-    words = next((text for key, text in how.items() if key in fragment.shading), "")
+    words = next((text for key, text in ways.items() if key in fragment.shading), "")
     table.add_row("colour", words, *map(number, fragment.primary))
     for step in fragment.steps:
         table.add_row(step.name, step.formula, *map(number, step.color))
@@ -183,7 +189,7 @@ def calls_table(trace: Trace) -> Table:
         if entry.redundant:
             changes = "redundant: it was so already"
         if entry.drew:
-            changes = f"{entry.drew} draw" + ("s" if entry.drew > 1 else "")
+            changes = f"{entry.drew} draw" + ("s" if entry.drew > 1 else "") + (f"\n{changes}" if changes else "")
         table.add_row(str(entry.call), entry.text, line(entry.where), changes, style="dim" if entry.redundant else "")
     return table
 

@@ -102,7 +102,7 @@ def terms_sheet(terms: Terms) -> Image.Image:
         [
             ("the picture", terms.picture[..., :3]),
             ("sum of all terms", color(terms.sum)),
-            (f"clamped, I > 1: {int(terms.clamped.sum())} pixels", mask.astype(np.uint8)),
+            (f"red: I > 1, clamped at {int(terms.clamped.sum())} pixels", mask.astype(np.uint8)),
             ("normal, (N + 1) / 2", color(normals)),
             (f"depth, {near:.4f} to {far:.4f}", heat(np.clip(depth, 0.0, 1.0), covered)),
         ],
@@ -115,10 +115,13 @@ def terms_sheet(terms: Terms) -> Image.Image:
     for light in terms.lights:
         parts = {name: terms.summands[f"light {light} {name}"] for name in ("ambient", "diffuse", "specular")}
         row = [(f"light {light} {name}, max {image.max():.3f}", color(image)) for name, image in parts.items()]
-        row.append((f"light {light} N·L, 0 to 1", heat(terms.N_L[light], terms.lit)))
+        row.append((f"light {light} N·L, 0 to 1; grey: behind", heat(terms.N_L[light], terms.lit)))
         row.append((f"light {light} {of}, 0 to 1", heat(terms.cosine[light], terms.lit)))
         rows.append(row)
-    return tiles("I = emission + k_a I_a + sum over lights of (ambient + diffuse + specular)", rows)
+    title = "I = emission + k_a I_a + sum over lights of (ambient + diffuse + specular)"
+    if terms.more:
+        title += f".   {', '.join(terms.more).capitalize()} of the picture come later and are not in the terms."
+    return tiles(title, rows)
 
 
 def tiles(title: str, rows: Sequence[Sequence[tuple[str, NDArray[np.uint8]]]]) -> Image.Image:

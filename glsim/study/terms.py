@@ -33,7 +33,7 @@ class Terms:
     without lighting.  Where several fragments were blended it is the last that counts; texture and fog come later.
     normal: in eye space; N_L, cosine: by light, (height, width), cosine is N.H or R.V; depth: in [0, 1].
     covered: where something was drawn; lit: with lighting; clamped: where clamping to [0, 1] changed the colour.
-    vector: "H" or "R", of the last lit Draw.
+    vector: "H" or "R", of the last lit Draw.  more: what comes after lighting: "texture", "fog", "blending".
     """
 
     picture: NDArray[np.uint8]
@@ -46,6 +46,7 @@ class Terms:
     N_L: dict[int, Float] = field(default_factory=dict)
     cosine: dict[int, Float] = field(default_factory=dict)
     vector: str = "H"
+    more: tuple[str, ...] = ()
 
     @property
     def sum(self) -> Float:
@@ -109,16 +110,30 @@ def taken_apart(survey: Survey, picture: NDArray[np.uint8]) -> Terms:
     for name in ("emission", "scene ambient"):
         result.summands[name] = np.zeros((*shape, 3))
     order = np.flatnonzero(result.covered)
+    if not len(order):
+        return result
     groups = survey.piece.ravel()[order] * 2 + survey.front.ravel()[order]
     order = order[np.argsort(groups, kind="stable")]
     groups = np.sort(groups, kind="stable")
     starts = np.flatnonzero(np.diff(groups, prepend=-1))
+    result.more = _more(survey)
     for start, end in zip(starts, [*starts[1:], len(order)], strict=True):
         at = np.unravel_index(order[start:end], shape)
         piece = survey.pieces[int(groups[start]) // 2]
         lit = shade(piece, survey.primitive[at], survey.weights[at], back=not groups[start] % 2)
         _add(result, at, piece, lit)
     return result
+
+
+def _more(survey: Survey) -> tuple[str, ...]:
+    """What the summands do not have."""
+    states = [piece.draw.state for piece in survey.pieces]
+    found = {
+        "texture": any(state.texture.in_use for state in states),
+        "fog": any(state.fog.enabled for state in states),
+        "blending": any(state.color_buffer.blend for state in states),
+    }
+    return tuple(name for name, there in found.items() if there)
 
 
 def _add(result: Terms, at: Any, piece: Piece, lit: Shaded) -> None:

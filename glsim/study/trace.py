@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from glsim.machine.commands import COMMANDS
-from glsim.machine.frame import Call, Draw, Frame, Moment, Where
+from glsim.machine.frame import Call, Draw, Frame, Where
 from glsim.machine.record import REGISTERS_ONLY
 from glsim.study.explain import matrix_text, value_text
 from glsim.study.frames import frame_of
 from glsim.study.mistakes import Detector, Mistake
-from glsim.study.provenance import NAMES, History, Path, call_text, value_at
+from glsim.study.provenance import LOADING, MULTIPLYING, NAMES, History, Step, call_text, value_at
 
 
 @dataclass(frozen=True)
@@ -60,20 +60,26 @@ def _traced(frame: Frame) -> tuple[list[Entry], list[Mistake]]:
     for draw in frame.draws:
         if draw.call is not None:
             draws.setdefault(draw.call, []).append(draw)
+    counts = {number: len(made) for number, made in draws.items()}
     detector = Detector(frame)
     entries: list[Entry] = []
     mistakes: list[Mistake] = []
     run: list[tuple[int, Call]] = []
-    for number, call, before, after, paths, provenance in History(frame).walk():
+    for step in History(frame).walk():
+        number, call, before, after = step[:4]
         mistakes += detector.call(number, call, before, after)
-        for draw in draws.get(number, ()):
-            mistakes += detector.draw(draw, provenance)
+        made = draws.get(number, [])
+        for draw in [draw for draw in made if draw.trail == step.trail or not step.trail]:
+            mistakes += detector.draw(draw, step.provenance)
+            made.remove(draw)
+        if step.trail:
+            continue
         if call.name in REGISTERS_ONLY and call.name != "glBegin":
             run.append((number, call))
             continue
         entries += _run(run)
         run = []
-        entries.append(_entry(number, call, before, after, paths, len(draws.get(number, ()))))
+        entries.append(_entry(step, counts.get(number, 0)))
     entries += _run(run)
     mistakes += detector.end()
     return entries, list(_once(mistakes))
@@ -101,19 +107,23 @@ def _run(run: list[tuple[int, Call]]) -> Iterator[Entry]:
         yield Entry(run[0][0], text, run[0][1].where)
 
 
-def _entry(number: int, call: Call, before: Moment, after: Moment, paths: list[Path], drew: int) -> Entry:
+def _entry(step: Step, drew: int) -> Entry:
+    call, before, after = step.call, step.before, step.after
     changes = []
-    for path in paths:
+    for path in step.paths:
         old = value_text(value_at(before.state, before.material, path))
         new = value_text(value_at(after.state, after.material, path))
         if old != new:
             changes.append((".".join(map(str, path)), old, new))
-    for name, a, b, deep, deeper in zip(
-        NAMES, before.matrices, after.matrices, before.depths, after.depths, strict=True
-    ):
+    matrices = zip(NAMES, before.matrices, after.matrices, before.depths, after.depths, strict=True)
+    for name, a, b, deep, deeper in matrices:
         if deep != deeper:
             changes.append((f"{name} stack", f"{deep} deep", f"{deeper} deep"))
-        elif a is not b:
-            changes.append((name, matrix_text(a.get()), matrix_text(b.get())))
-    sets = bool(paths) and not COMMANDS[call.name].result
-    return Entry(number, call_text(call), call.where, tuple(changes), sets and not changes, drew)
+        old, new = matrix_text(a.get()), matrix_text(b.get())
+        if old != new:
+            changes.append((name, old, new))
+    family = COMMANDS[call.name].family
+    sets = bool(step.paths) or family in LOADING or family in MULTIPLYING
+    glut = call.where is not None and call.where.via.startswith("glut")  # not the user's doing
+    redundant = sets and not changes and not COMMANDS[call.name].result and not glut
+    return Entry(step.number, call_text(call), call.where, tuple(changes), redundant, drew)
