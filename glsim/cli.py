@@ -68,6 +68,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_terms(commands)
     _add_explain(commands)
     _add_trace(commands)
+    _add_radiosity(commands)
     doctor = commands.add_parser("doctor", help="say what this machine can draw with, and what to install")
     doctor.add_argument("--json", action="store_true", help="print one JSON object")
     doctor.set_defaults(run=_doctor)
@@ -412,6 +413,105 @@ def _trace(options: argparse.Namespace) -> int:
         console.print(mistakes_list(found))
     code = _tell(frame, options, found.as_dict())
     return 1 if options.mistakes and found.mistakes else code
+
+
+# ---------------------------------------------------------------- radiosity
+
+
+def _add_radiosity(commands: Any) -> None:
+    text = "solve a scene's radiosity and bake it into vertex colours"
+    p = commands.add_parser("radiosity", help=text, description=text[0].upper() + text[1:] + ".")
+    p.add_argument(
+        "what", nargs="?", metavar="SCENE|FILE|SCRIPT", help="a scene (--list), a mesh file or a program (.py)"
+    )
+    p.add_argument("-o", "--output", action="append", metavar="FILE",
+                   help=".png, .glb, .ply or .npz; may be repeated (default: radiosity.png)")  # fmt: skip
+    p.add_argument("--patches", type=_count, default=2000, metavar="N", help="about how many (default: %(default)s)")
+    p.add_argument("--method", default="contour", help="of form factors: contour, analytic, point, disc, monte-carlo")
+    p.add_argument("--solver", default="gauss-seidel", help="gauss-seidel, jacobi, sor, cg, shooting, lu")
+    p.add_argument("--vertices", default="gather", help="gather (at each vertex) or average (of the patches around)")
+    p.add_argument("--tolerance", type=float, default=1e-6, help="of the residual (default: %(default)s)")
+    p.add_argument("--size", type=_size, default=512, metavar="N", help="pixels of a picture (default: %(default)s)")
+    p.add_argument("--view", type=_number, default=0, metavar="N", help="which camera of the scene (default: 0)")
+    p.add_argument("--close", action="store_true", help="scale form factors so that rows sum to 1: closed scenes")
+    p.add_argument("--report", metavar="FILE", help="write the report as JSON")
+    p.add_argument("--resume", metavar="FILE", help="where finished rows are kept when interrupted, and taken from")
+    p.add_argument("--list", action="store_true", help="list the built-in scenes")
+    p.add_argument("--json", action="store_true", help="print the report as one JSON object")
+    p.set_defaults(run=_radiosity)
+
+
+def _radiosity(options: argparse.Namespace) -> int:
+    from glsim.radiosity.scenes import BUILT_IN
+
+    if options.list:
+        about = {name: entry.about for name, entry in BUILT_IN.items()}
+        lines = [f"  {name:16} {words}" for name, words in about.items()]
+        print(json.dumps({"scenes": about}) if options.json else "Scenes:\n" + "\n".join(lines))
+        return 0
+    if not options.what:
+        print(
+            "glsim radiosity: name a scene, a mesh file or a program; --list shows the built-in scenes", file=sys.stderr
+        )
+        return 2
+    from glsim.files import write_text
+    from glsim.radiosity.result import solve
+
+    outputs = options.output or ["radiosity.png"]
+    for name in outputs:
+        if Path(name).suffix.lower() not in (".glb", ".ply", ".npz"):
+            _check_picture_name(name)
+    with _bars() as bars:
+        stages: dict[str, Any] = {}
+
+        def progress(stage: str, done: int, of: int) -> None:
+            if stage not in stages:
+                stages[stage] = bars.add_task(stage, total=of)
+            bars.update(stages[stage], completed=done, total=of)
+
+        task = bars.add_task("solving", total=None)
+        result = solve(
+            options.what, options.patches, method=options.method, solver=options.solver, tolerance=options.tolerance,
+            vertices=options.vertices, close=options.close, checkpoint=options.resume, progress=progress,
+            on_step=lambda step: bars.update(task, description=f"iteration {step.iteration}, {step.residual:.1e}"),
+        )  # fmt: skip
+    for name in outputs:
+        result.save(name, size=options.size, view=options.view)
+    report = {**result.report(), "outputs": outputs}
+    if options.report:
+        write_text(Path(options.report), json.dumps(report, indent=1) + "\n")
+    if options.json:
+        print(json.dumps({"status": "ok", **report}))
+    else:
+        _print_radiosity(report)
+    return 0
+
+
+def _bars() -> Any:
+    from rich.console import Console
+    from rich.progress import Progress
+
+    return Progress(console=Console(stderr=True), transient=True)
+
+
+def _print_radiosity(report: dict[str, Any]) -> None:
+    from rich.table import Table
+
+    table = Table(show_header=False, title=report["scene"], title_justify="left")
+    mean, most, leak = (100.0 * report[name] for name in ("row_sum_error_mean", "row_sum_error_max", "leak"))
+    sums = f"rows sum to 1 within {mean:.4f} % in the mean, {most:.2f} % at most; {leak:.3f} % escapes"
+    solved = f"{report['iterations']} iterations, residual {report['residual']:.2g}"
+    rows = [
+        ("patches", f"{report['n']}, drawn as {report['triangles']} triangles"),
+        ("form factors", f"{report['method']}; {sums}"),
+        ("system", f"{report['solver']}, {solved}, energy balance {report['energy_balance']:.6f}"),
+        ("seconds", ", ".join(f"{stage} {value:.2f}" for stage, value in report["seconds"].items())),
+        *(("note", note) for note in report["notes"]),
+        ("wrote", ", ".join(report["outputs"])),
+    ]
+    for row in rows:
+        table.add_row(*row)
+    _console().print(table)
 
 
 # ---------------------------------------------------------------- doctor

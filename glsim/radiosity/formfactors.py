@@ -1,0 +1,200 @@
+"""Form factors: how much of what leaves one patch arrives at another.
+
+S[i, j] = A_i F_ij is stored, once for each pair, so that reciprocity A_i F_ij = A_j F_ji is exact.  F[i, j] is the
+fraction of what leaves patch i that arrives at j; in a closed scene each row sums to 1.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import time
+import zipfile
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.files import write_atomically
+from glsim.radiosity.patches import Patches
+from glsim.radiosity.scene import SceneError
+
+Float = NDArray[np.float64]
+Progress = Callable[[str, int, int], object]  # stage, done, of
+BLOCK = 1 << 21  # pairs at a time
+METHODS = {
+    "contour": "each polygon whole: contour integrals near, Lambert's formula far, visibility by rays",
+    "analytic": "the same without visibility: nothing blocks anything",
+    "point": "textbook: from centre to centre, cos cos A / (pi r^2), one ray",
+    "disc": "from centre to disc, cos cos A / (pi r^2 + A), one ray",
+    "monte-carlo": "rays between random points of both patches, with standard errors",
+}
+
+
+@dataclass(frozen=True)
+class FormFactors:
+    """S: (n, n) float32, symmetric.  seconds: by stage.  error: (n, n) standard errors of S, for "monte-carlo"."""
+
+    patches: Patches
+    S: NDArray[np.float32]
+    method: str
+    seconds: dict[str, float] = field(default_factory=dict)
+    error: NDArray[np.float32] | None = None
+
+    def row(self, i: int) -> Float:
+        """F[i, :], (n,)."""
+        return np.asarray(self.S[i] / self.patches.area[i], np.float64)
+
+    @property
+    def F(self) -> Float:
+        """The whole matrix, (n, n) float64: for small scenes and lessons."""
+        return np.asarray(self.S / self.patches.area[:, None], np.float64)
+
+    @property
+    def row_sums(self) -> Float:
+        """(n,): 1 in a closed scene, less where light escapes."""
+        return np.asarray(self.S.sum(axis=1, dtype=np.float64) / self.patches.area)
+
+    def closed(self, rounds: int = 50) -> FormFactors:
+        """Scaled symmetrically so that each row sums to 1: for scenes that are closed.  S_ij becomes c_i c_j S_ij."""
+        area, S = self.patches.area, self.S.astype(np.float64)
+        c = np.ones(len(area))
+        for _ in range(rounds):
+            c = np.sqrt(c * area / np.maximum(S @ c, 1e-300))
+        return FormFactors(self.patches, (c[:, None] * S * c).astype(np.float32), self.method, self.seconds)
+
+
+def memory_needed(n: int) -> int:
+    """Bytes for the matrix."""
+    return 4 * n * n
+
+
+def compute(
+    patches: Patches, method: str = "contour", *, exact: bool = False, threads: int | None = None,
+    progress: Progress | None = None, seed: int = 0, samples: int = 64, limit: int | None = None,
+    checkpoint: str | None = None,
+) -> FormFactors:  # fmt: skip
+    """All form factors.
+
+    method: one of METHODS.  exact: contour integrals for all pairs, not only near ones.  samples, seed: of
+    "monte-carlo".  threads: for rays; the result does not depend on it.  limit: bytes that the matrix may take, by
+    default half of the machine's memory.  checkpoint: a file in which finished rows are kept when the work is
+    interrupted, and from which they are taken if it is there.  Raises SceneError for another method, or if the matrix
+    would not fit.
+    """
+    if method not in METHODS:
+        raise SceneError(f"the methods for form factors are {', '.join(METHODS)}, not {method!r}")
+    n = len(patches)
+    allowed = limit if limit is not None else _memory() // 2
+    if memory_needed(n) > allowed:
+        raise SceneError(
+            f"{n} patches need {memory_needed(n) / 2**30:.1f} GiB for their form factors, and there are"
+            f" {allowed / 2**30:.1f} GiB: take fewer patches (--patches)"
+        )
+    tell = progress or (lambda stage, done, of: None)
+    if method in ("contour", "analytic"):
+        return _by_pairs(patches, method, exact, threads, tell, checkpoint)
+    from glsim.radiosity.textbook import disc_or_point, monte_carlo
+
+    start = time.perf_counter()
+    error = None
+    if method == "monte-carlo":
+        S, error = monte_carlo(patches, samples, seed, tell)
+    else:
+        S = disc_or_point(patches, disc=method == "disc", progress=tell)
+    return FormFactors(patches, S, method, {"form factors": time.perf_counter() - start}, error)
+
+
+def _memory() -> int:
+    """Bytes of the machine."""
+    try:
+        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (ValueError, OSError, AttributeError):
+        return 8 * 2**30
+
+
+def _by_pairs(
+    patches: Patches, method: str, exact: bool, threads: int | None, tell: Progress, checkpoint: str | None
+) -> FormFactors:
+    """Blocks of rows: first what would arrive if nothing were in between, then the share that does."""
+    from glsim.radiosity import kernels
+    from glsim.radiosity.visibility import Visibility
+
+    n = len(patches)
+    S = np.zeros((n, n), np.float32)
+    seconds = {"form factors": 0.0, "visibility": 0.0}
+    visibility = Visibility(patches.scene, threads) if method == "contour" else None
+    arrays = (patches.rings, patches.counts, patches.normal, patches.center, patches.size)
+    of = n * (n - 1) // 2
+    kept = _Checkpoint(checkpoint, patches, f"{method} {exact}") if checkpoint else None
+    first = kept.load(S) if kept else 0
+    try:
+        while first < n:
+            last = min(n, first + max(1, BLOCK // (n - first)))
+            start = time.perf_counter()
+            kernels.rows(*arrays, first, last, exact, S[first:last])
+            middle = time.perf_counter()
+            if visibility is not None:
+                _hide(visibility, patches, S[first:last], first)
+            seconds["form factors"] += middle - start
+            seconds["visibility"] += time.perf_counter() - middle
+            first = last
+            tell("form factors", of - (n - first) * (n - first - 1) // 2, of)
+    except KeyboardInterrupt:
+        if kept:
+            kept.save(S, first)
+        raise
+    if kept:
+        kept.remove()
+    for k in range(0, n, 1024):  # the lower half is the upper one
+        S[k:, k : k + 1024] += np.triu(S[k : k + 1024, k:], 1).T if k else np.triu(S[:1024], 1).T
+    return FormFactors(patches, S, method, seconds)
+
+
+def _hide(visibility: Any, patches: Patches, block: NDArray[np.float32], first: int) -> None:
+    if visibility.boxes is not None and not len(visibility.boxes):
+        return  # nothing can stand in between
+    rows, columns = np.nonzero(block[:, first:])
+    pairs = np.stack([rows + first, columns + first], axis=1)
+    shares = visibility.fractions(
+        patches.rings, patches.counts, patches.normal, patches.center, patches.size / 2.0, pairs
+    )
+    block[rows, columns + first] *= shares.astype(np.float32)
+
+
+class _Checkpoint:
+    """Finished rows of S in a file, with a mark of the patches they are of."""
+
+    def __init__(self, path: str, patches: Patches, how: str) -> None:
+        self.path = path
+        content = (
+            patches.rings.tobytes() + how.encode() + repr([ring.tolist() for ring in patches.scene.rings]).encode()
+        )
+        self.mark = hashlib.sha256(content).hexdigest()
+
+    def save(self, S: NDArray[np.float32], first: int) -> None:
+        rows = S[:first]
+
+        def write(name: Any) -> None:
+            with open(name, "wb") as file:
+                np.savez(file, mark=self.mark, rows=rows)
+
+        write_atomically(self.path, write)
+
+    def load(self, S: NDArray[np.float32]) -> int:
+        """Fill the rows that are there; returns how many.  Another scene's file is left alone."""
+        if not os.path.exists(self.path):
+            return 0
+        try:
+            with np.load(self.path) as kept:
+                rows = kept["rows"] if str(kept["mark"]) == self.mark else S[:0]
+        except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
+            raise SceneError(f"{self.path} is no checkpoint: remove it ({error})") from error
+        S[: len(rows)] = rows
+        return len(rows)
+
+    def remove(self) -> None:
+        if os.path.exists(self.path):
+            os.remove(self.path)

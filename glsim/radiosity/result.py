@@ -1,0 +1,242 @@
+"""Solving a scene from beginning to end, and what one does with the result."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.files import write_atomically
+from glsim.radiosity.bake import GAMMA, Mesh, automatic_white, averaged, gathered, mesh_of, toned
+from glsim.radiosity.formfactors import FormFactors, compute
+from glsim.radiosity.patches import Patches, subdivide
+from glsim.radiosity.scene import Scene, SceneError, View
+from glsim.radiosity.solvers import Step, solved
+
+if TYPE_CHECKING:
+    from PIL import Image
+
+    from glsim.render.context import Offscreen
+
+Float = NDArray[np.float64]
+Progress = Callable[[str, int, int], object]
+
+
+@dataclass(frozen=True)
+class Radiosity:
+    """The solution of a scene.
+
+    B: (n, 3) per patch; steps: one for each iteration (only the last has its B); mesh, vertex_radiosity: triangles and
+    the radiosity at their vertices (V, 3); seconds: by stage.
+    """
+
+    patches: Patches
+    factors: FormFactors
+    steps: list[Step]
+    B: Float
+    mesh: Mesh
+    vertex_radiosity: Float
+    solver: str
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    # ------------------------------------------------------------ numbers
+
+    def report(self) -> dict[str, Any]:
+        """What a teacher asks: how many patches, how good, how long."""
+        sums = self.factors.row_sums
+        S, error = self.factors.S, np.abs(sums - 1.0)
+        apart = max(
+            (float(np.abs(S[k : k + 512] - S[:, k : k + 512].T).max()) for k in range(0, len(S), 512)), default=0.0
+        )
+        last = self.steps[-1]
+        return {
+            "scene": self.patches.scene.name, "n": len(self.patches), "method": self.factors.method,
+            "solver": self.solver, "iterations": last.iteration, "residual": last.residual,
+            "row_sum_error_mean": float(error.mean()), "row_sum_error_max": float(error.max()),
+            "leak": float(1.0 - (sums * self.patches.area).sum() / self.patches.area.sum()),
+            "reciprocity": apart, "energy_balance": last.balance, "vertices": len(self.mesh.vertices),
+            "triangles": len(self.mesh.triangles), "notes": list(self.patches.scene.notes),
+            "seconds": {name: round(value, 4) for name, value in self.seconds.items()},
+        }  # fmt: skip
+
+    # ------------------------------------------------------------ pictures
+
+    def draw(self, colors: Float | None = None) -> None:
+        """Draw with the gl commands under the current matrices: vertex colours, GL_SMOOTH, no lighting, fronts only."""
+        from glsim import gl
+
+        gl.glDisable(gl.GL_LIGHTING)
+        gl.glShadeModel(gl.GL_SMOOTH)
+        gl.glEnable(gl.GL_DEPTH_TEST)
+        gl.glEnable(gl.GL_CULL_FACE)
+        gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
+        gl.glEnableClientState(gl.GL_COLOR_ARRAY)
+        shown = self.colors() if colors is None else colors
+        gl.glVertexPointer(3, gl.GL_FLOAT, 0, self.mesh.vertices.astype(np.float32))
+        gl.glColorPointer(3, gl.GL_FLOAT, 0, np.ascontiguousarray(shown, np.float32))
+        triangles = self.mesh.triangles.astype(np.uint32)
+        gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+        for array in (gl.GL_VERTEX_ARRAY, gl.GL_COLOR_ARRAY):
+            gl.glDisableClientState(array)
+        gl.glDisable(gl.GL_CULL_FACE)
+
+    def colors(self, white: float | None = None, tone: str = "linear", gamma: float = GAMMA) -> Float:
+        """Colours of the vertices for the screen, (V, 3) in [0, 1].  white: the radiosity that becomes white."""
+        return toned(self.vertex_radiosity, white or automatic_white(self.patches, self.B), tone, gamma)
+
+    def picture(
+        self, size: int = 512, view: int | View = 0, *, colors: Float | None = None, samples: int = 4
+    ) -> Image.Image:
+        """The scene from one of its cameras.  colors: of the vertices (V, 3), instead of the radiosity."""
+        from glsim.machine.current import current_machine, make_current
+        from glsim.machine.machine import Machine
+        from glsim.render.context import offscreen
+
+        before = current_machine()
+        screen: Offscreen = offscreen(size, size, samples=samples)
+        try:
+            look(self.view(view), self.patches.scene)
+            self.draw(colors)
+            return screen.image()
+        finally:
+            screen.release()
+            make_current(before if isinstance(before, Machine) else None)
+
+    def view(self, which: int | View) -> View:
+        """A camera of the scene by its number.  Raises SceneError for one that is not there."""
+        if isinstance(which, View):
+            return which
+        views = self.patches.scene.views
+        if not 0 <= which < len(views):
+            raise SceneError(f"{self.patches.scene.name} has {len(views)} views, numbered from 0; {which} is none")
+        return views[which]
+
+    def row_picture(self, patch: int, size: int = 512, view: int | View = 0) -> Image.Image:
+        """Row ``patch`` of the form factors as colours on the scene: where light that leaves the patch arrives."""
+        row = self.factors.row(patch) / self.patches.area
+        values = np.zeros(len(self.mesh.vertices))
+        weight = np.zeros(len(self.mesh.vertices))
+        for corner in range(3):
+            np.add.at(values, self.mesh.triangles[:, corner], row[self.mesh.triangle_patch])
+            np.add.at(weight, self.mesh.triangles[:, corner], 1.0)
+        values /= np.maximum(weight, 1.0)
+        shown = np.repeat((values / max(float(values.max()), 1e-300))[:, None] ** (1.0 / GAMMA), 3, axis=1)
+        own = np.unique(self.mesh.triangles[self.mesh.triangle_patch == patch])
+        shown[own] = (1.0, 0.5, 0.0)
+        return self.picture(size, view, colors=shown)
+
+    def _repr_png_(self) -> bytes | None:
+        return self.picture()._repr_png_()
+
+    # ------------------------------------------------------------ files
+
+    def save(self, path: str | os.PathLike[str], *, size: int = 512, view: int = 0) -> None:
+        """Write .png (or another picture), .glb or .ply with vertex colours, or .npz with everything.
+
+        Raises SceneError for another ending.
+        """
+        ending = Path(path).suffix.lower()
+        if ending == ".npz":
+            write_atomically(path, lambda name: np.savez_compressed(name, **self.arrays()))
+        elif ending in (".glb", ".ply"):
+            data = self._exported(ending[1:])
+            write_atomically(path, lambda name: Path(name).write_bytes(data))
+        else:
+            from PIL import Image
+
+            if ending not in Image.registered_extensions():
+                raise SceneError(f"{path}: the name must end in .png, .glb, .ply or .npz")
+            image = self.picture(size, view)
+            write_atomically(path, lambda name: image.save(name))
+
+    def arrays(self) -> dict[str, Any]:
+        """triangles (m, 3, 3), triangle_patch (m,); B, E, rho, normal (n, 3), area (n,) of the patches; vertices and
+        vertex_B (V, 3), vertex_triangles (m, 3)."""
+        p, mesh = self.patches, self.mesh
+        return {
+            "triangles": mesh.vertices[mesh.triangles], "triangle_patch": mesh.triangle_patch, "B": self.B, "E": p.E,
+            "rho": p.rho, "area": p.area, "normal": p.normal, "vertices": mesh.vertices,
+            "vertex_B": self.vertex_radiosity, "vertex_triangles": mesh.triangles,
+        }  # fmt: skip
+
+    def _exported(self, kind: str) -> bytes:
+        import trimesh
+
+        colors = np.round(self.colors() * 255.0).astype(np.uint8)
+        alpha = np.full((len(colors), 1), 255, np.uint8)
+        shown = np.concatenate([colors, alpha], axis=1)
+        mesh = trimesh.Trimesh(self.mesh.vertices, self.mesh.triangles, vertex_colors=shown, process=False)
+        data: Any = mesh.export(file_type=kind)
+        return bytes(data)
+
+
+def look(view: View, scene: Scene) -> None:
+    """Set projection and modelview for a camera, and clear."""
+    from glsim import gl
+    from glsim.glu.view import gluLookAt, gluPerspective
+
+    distance = float(np.linalg.norm(np.subtract(view.target, view.eye)))
+    far = distance + 2.0 * scene.size
+    gl.glClearColor(0.0, 0.0, 0.0, 1.0)
+    gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
+    gl.glMatrixMode(gl.GL_PROJECTION)
+    gl.glLoadIdentity()
+    gluPerspective(view.fov, 1.0, far / 2000.0, far)
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    gl.glLoadIdentity()
+    gluLookAt(*view.eye, *view.target, *view.up)
+
+
+def _check_packages() -> None:
+    for name in ("numba", "embreex"):
+        if find_spec(name) is None:
+            raise SceneError(f"radiosity needs the package {name}: pip install glsim[radiosity]")
+
+
+def solve(
+    what: Any, patches: int = 2000, *, method: str = "contour", solver: str = "gauss-seidel", tolerance: float = 1e-6,
+    vertices: str = "gather", close: bool = False, threads: int | None = None, checkpoint: str | None = None,
+    progress: Progress | None = None,
+    on_step: Callable[[Step], object] | None = None,
+) -> Radiosity:  # fmt: skip
+    """Radiosity of a scene.
+
+    what: whatever load.scene_from takes.  patches: about how many.  method: of form factors, see formfactors.METHODS.
+    solver: see solvers.SOLVERS.  vertices: "gather" (a final gather at each vertex) or "average" (of patches).  close:
+    scale the form factors so that rows sum to 1, for closed scenes.  Raises SceneError.
+    """
+    from glsim.radiosity.load import scene_from
+
+    _check_packages()
+    if vertices not in ("gather", "average"):
+        raise SceneError(f'vertices must be "gather" or "average", not {vertices!r}')
+    tell = progress or (lambda stage, done, of: None)
+    seconds: dict[str, float] = {}
+
+    def timed(stage: str, start: float) -> None:
+        seconds[stage] = time.perf_counter() - start
+
+    start = time.perf_counter()
+    tell("patches", 0, 1)
+    parts = subdivide(scene_from(what).checked(), patches)
+    timed("patches", start)
+    factors = compute(parts, method, threads=threads, progress=tell, checkpoint=checkpoint)
+    if close:
+        factors = factors.closed()
+    seconds.update(factors.seconds)
+    start = time.perf_counter()
+    steps = solved(factors, solver, tolerance=tolerance, progress=on_step)
+    timed("solving", start)
+    B = steps[-1].B
+    start = time.perf_counter()
+    mesh = mesh_of(parts)
+    at_vertices = gathered(parts, mesh, B, tell) if vertices == "gather" else averaged(parts, mesh, B)
+    timed("vertices", start)
+    return Radiosity(parts, factors, steps, B, mesh, at_vertices, solver, seconds)

@@ -1,0 +1,242 @@
+"""What light bounces in: polygons with reflectance and exitance, checked before the work begins.
+
+Conventions (Cohen & Wallace 1993): everything in one unit of length; rho in [0, 1) and E >= 0 per channel, diffuse; a
+polygon shows its front on the side from which its corners run counterclockwise, and only fronts reflect and emit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Float = NDArray[np.float64]
+Channels = tuple[float, float, float]
+FLAT = 1e-5  # how far a corner may be from its polygon's plane, in diameters
+
+
+class SceneError(ValueError):
+    """A scene for which there is no radiosity; the message says what is wrong and what to do."""
+
+
+class Material(NamedTuple):
+    """rho: diffuse reflectance, E: exitance (W/m^2 or any unit of it), for red, green and blue."""
+
+    name: str
+    rho: Channels
+    E: Channels = (0.0, 0.0, 0.0)
+
+
+class View(NamedTuple):
+    """A camera.  fov: degrees from bottom to top."""
+
+    eye: Channels
+    target: Channels
+    up: Channels = (0.0, 1.0, 0.0)
+    fov: float = 45.0
+
+
+@dataclass(frozen=True)
+class Scene:
+    """rings: convex polygons (k, 3), k >= 3; material: of each, a number in ``materials``; group: of each, the number
+    of the object it belongs to (for smooth normals); views: the first is the usual one; notes: what was mended."""
+
+    name: str
+    rings: tuple[Float, ...]
+    material: tuple[int, ...]
+    materials: tuple[Material, ...]
+    views: tuple[View, ...] = ()
+    group: tuple[int, ...] = ()
+    notes: tuple[str, ...] = field(default=())
+
+    @property
+    def size(self) -> float:
+        """The diagonal of the bounding box."""
+        points = np.concatenate(self.rings)
+        return float(np.linalg.norm(np.ptp(points, axis=0)))
+
+    @property
+    def emitters(self) -> list[int]:
+        """Numbers of the rings that emit."""
+        return [k for k, m in enumerate(self.material) if max(self.materials[m].E) > 0.0]
+
+    def flipped(self) -> Scene:
+        """The same with all fronts turned to the other side."""
+        return replace(self, rings=tuple(ring[::-1] for ring in self.rings))
+
+    def triangles(self) -> Float:
+        """All polygons as fans: (m, 3, 3)."""
+        return np.array([(ring[0], ring[k], ring[k + 1]) for ring in self.rings for k in range(1, len(ring) - 1)])
+
+    def checked(self) -> Scene:
+        """The scene as the solver wants it; ``notes`` say what was mended.
+
+        Raises SceneError for what cannot be mended: reflectances that are not in [0, 1), exitances below 0, coordinates
+        that are not finite, no polygon, no emitter.
+        """
+        for material in self.materials:
+            _check_material(material)
+        if not self.rings:
+            raise SceneError(f"{self.name}: there is no polygon")
+        kept: list[tuple[Float, int, int]] = []
+        counts = {"degenerate polygons dropped": 0, "polygons that were not planar split into triangles": 0,
+                  "duplicate polygons dropped": 0}  # fmt: skip
+        seen: set[Any] = set()
+        scale = self.size
+        groups = self.group or tuple(self.material)
+        for number, (given, paint, group) in enumerate(zip(self.rings, self.material, groups, strict=True)):
+            if not np.isfinite(given).all():
+                raise SceneError(f"{self.name}: polygon {number} has coordinates that are not finite numbers")
+            parts = _planar(_without_repeats(np.asarray(given, np.float64), scale))
+            counts["polygons that were not planar split into triangles"] += len(parts) > 1
+            counts["degenerate polygons dropped"] += not parts
+            for ring in parts:
+                key = frozenset(map(tuple, np.round(ring / scale, 7).tolist()))
+                counts["duplicate polygons dropped"] += key in seen
+                if key not in seen:
+                    seen.add(key)
+                    kept.append((ring, paint, group))
+        notes = [*self.notes, *(f"{count} {words}" for words, count in counts.items() if count)]
+        if not kept:
+            raise SceneError(f"{self.name}: all polygons are degenerate (no area)")
+        rings, materials, kept_groups = zip(*kept, strict=True)
+        result = replace(self, rings=rings, material=materials, group=kept_groups, notes=tuple(notes))
+        if not result.emitters:
+            raise SceneError(
+                f"{self.name}: nothing emits light: give a material an exitance E > 0 (in a file: an emissive colour;"
+                " in a program: glMaterial with GL_EMISSION)"
+            )
+        return result
+
+
+def _check_material(material: Material) -> None:
+    rho, E = np.asarray(material.rho, float), np.asarray(material.E, float)
+    name = f"material {material.name!r}"
+    if rho.shape != (3,) or E.shape != (3,):
+        raise SceneError(f"{name}: rho and E need three numbers each (red, green, blue)")
+    if not np.isfinite([rho, E]).all():
+        raise SceneError(f"{name}: rho = {material.rho} and E = {material.E} must be finite numbers")
+    if (rho < 0.0).any() or (rho >= 1.0).any():
+        raise SceneError(
+            f"{name}: the reflectance rho = {material.rho} must be at least 0 and less than 1, or light never ends"
+        )
+    if (E < 0.0).any():
+        raise SceneError(f"{name}: the exitance E = {material.E} must not be negative")
+
+
+def normal_of(ring: Float) -> Float:
+    """Unit normal by Newell's method; zeros if the ring has no area."""
+    n = np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
+    length = np.linalg.norm(n)
+    return np.asarray(n / length if length > 0.0 else np.zeros(3))
+
+
+def area_of(ring: Float) -> float:
+    edges = ring[1:] - ring[0]
+    return float(np.linalg.norm(np.cross(edges[:-1], edges[1:]).sum(axis=0)) / 2.0)
+
+
+def _without_repeats(ring: Float, scale: float) -> Float:
+    """Without corners that are where the corner before is."""
+    apart = np.linalg.norm(ring - np.roll(ring, 1, axis=0), axis=1) > 1e-9 * scale
+    return np.asarray(ring[apart])
+
+
+def _planar(ring: Float) -> list[Float]:
+    """The ring, or triangles if it is not planar or not convex; nothing if it has no area."""
+    if len(ring) < 3:
+        return []
+    size = float(np.linalg.norm(np.ptp(ring, axis=0)))
+    normal = normal_of(ring)
+    if area_of(ring) < 1e-10 * size * size or not normal.any():
+        return []
+    if len(ring) == 3:
+        return [ring]
+    flat = np.abs((ring - ring[0]) @ normal).max() <= FLAT * size
+    turns = np.cross(np.roll(ring, -1, 0) - ring, np.roll(ring, -2, 0) - np.roll(ring, -1, 0)) @ normal
+    if flat and (turns >= -1e-9 * size * size).all():
+        return [ring]
+    if len(ring) == 4:  # along the diagonal that makes a hollow, so that neither triangle hides the other
+        hollow = (ring[3] - ring[0]) @ normal_of(ring[[0, 1, 2]]) >= 0.0
+        parts = [ring[[0, 1, 2]], ring[[0, 2, 3]]] if hollow else [ring[[0, 1, 3]], ring[[1, 2, 3]]]
+        if all(normal_of(part) @ normal > 0.0 for part in parts):
+            return parts
+    return _ears(ring, normal)
+
+
+def _ears(ring: Float, normal: Float) -> list[Float]:
+    """Triangles of a simple polygon, by cutting ears."""
+    corners = list(range(len(ring)))
+    triangles = []
+    while len(corners) > 3:
+        for k in range(len(corners)):
+            a, b, c = (corners[(k + d) % len(corners)] for d in (-1, 0, 1))
+            triangle = ring[[a, b, c]]
+            if normal_of(triangle) @ normal <= 0.0:
+                continue
+            others = ring[[m for m in corners if m not in (a, b, c)]]
+            if not _inside(others, triangle, normal).any():
+                triangles.append(triangle)
+                corners.pop(k)
+                break
+        else:
+            break
+    if len(corners) == 3:
+        triangles.append(ring[corners])
+    return triangles
+
+
+def _inside(points: Float, ring: Float, normal: Float) -> NDArray[np.bool_]:
+    """Which points of its plane are inside a convex ring."""
+    result = np.ones(len(points), bool)
+    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        result &= np.cross(b - a, points - a) @ normal > 0.0
+    return result
+
+
+# ---------------------------------------------------------------- building
+
+
+def quad(*corners: ArrayLike) -> Float:
+    return np.array(corners, np.float64)
+
+
+def box(low: Sequence[float], high: Sequence[float], inside: bool = False) -> list[Float]:
+    """The six faces of a box, fronts outwards, or ``inside`` inwards: -x, +x, -y, +y, -z, +z."""
+    (a, b, c), (d, e, f) = low, high
+    faces = [
+        quad((a, b, c), (a, b, f), (a, e, f), (a, e, c)), quad((d, b, c), (d, e, c), (d, e, f), (d, b, f)),
+        quad((a, b, c), (d, b, c), (d, b, f), (a, b, f)), quad((a, e, c), (a, e, f), (d, e, f), (d, e, c)),
+        quad((a, b, c), (a, e, c), (d, e, c), (d, b, c)), quad((a, b, f), (d, b, f), (d, e, f), (a, e, f)),
+    ]  # fmt: skip
+    return [face[::-1] for face in faces] if inside else faces
+
+
+class Builder:
+    """Collects polygons: ``add`` takes rings of one material."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.rings: list[Float] = []
+        self.material: list[int] = []
+        self.group: list[int] = []
+        self.materials: list[Material] = []
+
+    def add(self, rings: Iterable[ArrayLike], material: Material, smooth: bool = False) -> None:
+        """smooth: the polygons are one curved surface."""
+        if material not in self.materials:
+            self.materials.append(material)
+        group = max(self.group, default=-1) + 1
+        for ring in rings:
+            self.rings.append(np.array(ring, np.float64))
+            self.material.append(self.materials.index(material))
+            self.group.append(group)
+            group += not smooth
+
+    def scene(self, *views: View) -> Scene:
+        return Scene(
+            self.name, tuple(self.rings), tuple(self.material), tuple(self.materials), views, tuple(self.group)
+        )

@@ -1,0 +1,225 @@
+"""The linear system (I - R F) B = E, solved in the ways of the lecture: each a generator that yields every step.
+
+B_i = E_i + rho_i sum_j F_ij B_j for each channel.  Gathering (Jacobi, Gauss-Seidel) lets each patch collect what the
+others send; shooting lets the patch with most to give send it.  Sources: Cohen & Wallace (1993), chapter 5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.radiosity.formfactors import FormFactors
+from glsim.radiosity.scene import SceneError
+
+Float = NDArray[np.float64]
+
+
+class Step(NamedTuple):
+    """After one iteration.  B: (n, 3); residual: largest norm of E - (I - R F) B over the channels, relative to E's;
+    balance: power that leaves the patches for good (absorbed or escaped) over the power emitted, 1 at the solution."""
+
+    iteration: int
+    B: Float
+    residual: float
+    balance: float
+
+
+@dataclass(frozen=True)
+class System:
+    """S: (n, n) symmetric, area: (n,), rho, E: (n, 3)."""
+
+    S: NDArray[np.float32]
+    area: Float
+    rho: Float
+    E: Float
+
+    @staticmethod
+    def of(factors: FormFactors) -> System:
+        patches = factors.patches
+        return System(factors.S, patches.area, patches.rho, patches.E)
+
+    def gathered(self, B: Float) -> Float:
+        """Irradiance: sum_j F_ij B_j for each patch, (n, 3)."""
+        return _product(self.S, B) / self.area[:, None]
+
+    def matrix(self, channel: int) -> Float:
+        """I - R F for one channel, (n, n) float64."""
+        result = -(self.rho[:, channel] / self.area)[:, None] * self.S.astype(np.float64)
+        result[np.diag_indices(len(result))] += 1.0
+        return np.asarray(result)
+
+    def step(self, iteration: int, B: Float, arriving: Float | None = None) -> Step:
+        H = self.gathered(B) if arriving is None else arriving
+        residual = self.E + self.rho * H - B
+        norms = np.linalg.norm(residual, axis=0) / np.maximum(np.linalg.norm(self.E, axis=0), 1e-300)
+        emitted = float((self.area[:, None] * self.E).sum())
+        lost = float((self.area[:, None] * (B - self.rho * H)).sum())
+        used = norms[np.linalg.norm(self.E, axis=0) > 0.0]
+        return Step(iteration, B, float(used.max(initial=0.0)), lost / emitted if emitted else 1.0)
+
+
+def _product(S: NDArray[np.float32], B: Float) -> Float:
+    """S @ B, summed in float64."""
+    from glsim.radiosity.sweep import product
+
+    result = np.empty((len(S), 3))
+    product(S, np.ascontiguousarray(B), result)
+    return result
+
+
+def lu(system: System) -> Iterator[Step]:
+    """Direct: LU factorisation of each channel's matrix."""
+    from scipy.linalg import lu_factor, lu_solve
+
+    B = np.empty_like(system.E)
+    for channel in range(3):
+        B[:, channel] = lu_solve(lu_factor(system.matrix(channel), overwrite_a=True), system.E[:, channel])
+    yield system.step(1, B, _exact(system, B))
+
+
+def _exact(system: System, B: Float) -> Float:
+    return np.asarray(system.S.astype(np.float64) @ B / system.area[:, None])
+
+
+def jacobi(system: System) -> Iterator[Step]:
+    """Gathering: all patches at once.  Iteration k is the light after k bounces."""
+    B = system.E.copy()
+    iteration = 0
+    while True:
+        H = system.gathered(B)
+        yield system.step(iteration, B, H)
+        B = system.E + system.rho * H
+        iteration += 1
+
+
+def gauss_seidel(system: System, omega: float = 1.0) -> Iterator[Step]:
+    """Gathering one patch after the other, with what the others have already gathered; omega: over-relaxation."""
+    if not 0.0 < omega < 2.0:
+        raise SceneError(f"over-relaxation converges for omega between 0 and 2, not {omega}")
+    B = system.E.copy()
+    iteration = 0
+    yield system.step(0, B)
+    while True:
+        _sweep(system, B, omega)
+        iteration += 1
+        yield system.step(iteration, B.copy())
+
+
+def _sweep(system: System, B: Float, omega: float) -> None:
+    from glsim.radiosity.sweep import sweep
+
+    sweep(system.S, system.area, system.rho, system.E, B, omega)
+
+
+def sor(system: System) -> Iterator[Step]:
+    """Successive over-relaxation with omega = 1.15."""
+    return gauss_seidel(system, 1.15)
+
+
+def conjugate_gradients(system: System) -> Iterator[Step]:
+    """On the symmetric form (A / rho - S) B = A E / rho; patches that reflect nothing have B = E and stay out."""
+    B = system.E.copy()
+    iteration = 0
+    yield system.step(0, B)
+    states = [_Gradient(system, B, channel) for channel in range(3)]
+    while True:
+        for channel, state in enumerate(states):
+            B[:, channel] = state.advance()
+        iteration += 1
+        yield system.step(iteration, B.copy())
+
+
+class _Gradient:
+    """Conjugate gradients for one channel, preconditioned by the diagonal."""
+
+    def __init__(self, system: System, B: Float, channel: int) -> None:
+        self.system = system
+        rho = system.rho[:, channel]
+        self.free = rho > 0.0
+        self.diagonal = np.where(self.free, system.area / np.where(self.free, rho, 1.0), 1.0)
+        self.x = B[:, channel].copy()
+        right = self.diagonal * system.E[:, channel]
+        self.r = np.where(self.free, right - self._times(self.x), 0.0)
+        self.z = self.r / self.diagonal
+        self.p = self.z.copy()
+        self.rz = float(self.r @ self.z)
+
+    def _times(self, x: Float) -> Float:
+        return np.asarray(self.diagonal * x - _product(self.system.S, np.stack([x, x, x], axis=1))[:, 0])
+
+    def advance(self) -> Float:
+        if self.rz > 0.0:
+            image = np.where(self.free, self._times(np.where(self.free, self.p, 0.0)), 0.0)
+            curvature = float(self.p @ image)
+            alpha = self.rz / curvature if curvature > 0.0 else 0.0
+            self.x = self.x + alpha * self.p
+            self.r = self.r - alpha * image
+            self.z = self.r / self.diagonal
+            rz = float(self.r @ self.z)
+            self.p = self.z + rz / self.rz * self.p
+            self.rz = rz
+        return self.x
+
+
+def shooting(system: System, ambient: bool = False, many: int | None = None) -> Iterator[Step]:
+    """Progressive refinement (Cohen et al. 1988): the patch with most unshot power shoots.  A step is ``many`` shots
+    (default: a twentieth of the patches).  ambient: B with the estimate of what is still to come, for display."""
+    B, unshot = system.E.copy(), system.E.copy()
+    n = len(B)
+    shots = many or max(1, n // 20)
+    mean_rho = (system.area[:, None] * system.rho).sum(axis=0) / system.area.sum()
+    iteration = 0
+    while True:
+        shown = B
+        if ambient:
+            still = (system.area[:, None] * unshot).sum(axis=0) / system.area.sum() / (1.0 - mean_rho)
+            shown = B + system.rho * still
+        yield system.step(iteration, shown.copy())
+        for _ in range(shots):
+            i = int(np.argmax(system.area * unshot.sum(axis=1)))
+            column = system.S[i].astype(np.float64) / system.area  # F_ji = S_ij / A_j
+            received = system.rho * column[:, None] * unshot[i]
+            unshot[i] = 0.0
+            B += received
+            unshot += received
+        iteration += 1
+
+
+SOLVERS: dict[str, Callable[[System], Iterator[Step]]] = {
+    "gauss-seidel": gauss_seidel, "jacobi": jacobi, "sor": sor, "cg": conjugate_gradients, "shooting": shooting,
+    "lu": lu,
+}  # fmt: skip
+
+
+def solved(
+    factors: FormFactors, solver: str = "gauss-seidel", *, tolerance: float = 1e-6, most: int = 1000,
+    progress: Callable[[Step], object] | None = None,
+) -> list[Step]:  # fmt: skip
+    """All steps up to the one whose residual is at most ``tolerance``; only the last keeps its own B.
+
+    Raises SceneError for an unknown solver, and if ``most`` steps are not enough.
+    """
+    if solver not in SOLVERS:
+        raise SceneError(f"the solvers are {', '.join(SOLVERS)}, not {solver!r}")
+    steps: list[Step] = []
+    for step in SOLVERS[solver](System.of(factors)):
+        steps.append(step)
+        if len(steps) > 1:
+            steps[-2] = steps[-2]._replace(B=np.empty((0, 3)))
+        if progress is not None:
+            progress(step)
+        if not np.isfinite(step.residual):
+            raise SceneError(f"{solver} diverges: the residual is {step.residual} after {step.iteration} iterations")
+        if step.residual <= tolerance:
+            return steps
+        if step.iteration >= most:
+            break
+    raise SceneError(
+        f"{solver} did not converge: after {steps[-1].iteration} iterations the residual is {steps[-1].residual:.2g},"
+        f" more than the tolerance {tolerance:g}"
+    )

@@ -1,0 +1,522 @@
+"""Radiosity against its witnesses: closed forms, energy, Monte Carlo, and a path-traced reference."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+pytest.importorskip("numba")
+pytest.importorskip("embreex")
+
+from glsim import radiosity
+from glsim.radiosity import kernels
+from glsim.radiosity.bake import averaged, gathered, mesh_of, toned
+from glsim.radiosity.formfactors import METHODS, FormFactors, compute
+from glsim.radiosity.load import scene_from
+from glsim.radiosity.patches import Patches, patches_of, subdivide
+from glsim.radiosity.scene import Builder, Material, Scene, SceneError, box, normal_of, quad
+from glsim.radiosity.scenes import BUILT_IN
+from glsim.radiosity.solvers import SOLVERS, System, solved
+from glsim.radiosity.textbook import monte_carlo
+
+REFERENCE = Path(__file__).parent / "reference"
+CASES = json.loads((REFERENCE / "analytic_cases.json").read_text())
+
+
+def form_factor(one: Any, two: Any, exact: bool = True) -> float:
+    """F from polygon one to polygon two."""
+    rings = [np.array(ring, float) for ring in (one, two)]
+    normals = [normal_of(ring) for ring in rings]
+    centers = [ring.mean(axis=0) for ring in rings]
+    sizes = [
+        2 * float(np.linalg.norm(ring - center, axis=1).max()) for ring, center in zip(rings, centers, strict=True)
+    ]
+    work = np.empty((6, 3)), np.empty((6, 3))
+    S = kernels.pair(
+        rings[0], len(rings[0]), normals[0], rings[1], len(rings[1]), normals[1], centers[0], centers[1], sizes[0],
+        sizes[1], exact, *work,
+    )  # fmt: skip
+    return S / kernels._area(rings[0], len(rings[0]))
+
+
+# ---------------------------------------------------------------- closed forms
+
+
+@pytest.mark.parametrize("case", CASES["polygon_pairs"], ids=lambda case: case["name"])
+def test_polygon_pairs(case: dict[str, Any]) -> None:
+    assert form_factor(case["poly1"], case["poly2"]) == pytest.approx(case["F12"], rel=1e-6)
+    assert form_factor(case["poly2"], case["poly1"]) * kernels._area(
+        np.array(case["poly2"], float), 4
+    ) == pytest.approx(case["F12"] * kernels._area(np.array(case["poly1"], float), 4), rel=1e-6)
+
+
+def disc(radius: float, z: float, up: bool, corners: int = 400) -> np.ndarray:
+    """A polygon with the disc's area."""
+    angle = np.arange(corners) * 2 * np.pi / corners
+    r = radius * np.sqrt(2 * np.pi / (corners * np.sin(2 * np.pi / corners)))
+    ring = np.stack([r * np.cos(angle), r * np.sin(angle), 0 * angle + z], axis=1)
+    return ring if up else ring[::-1]
+
+
+@pytest.mark.parametrize("case", CASES["discs"], ids=lambda case: f"{case['r1']}-{case['r2']}-{case['distance']}")
+def test_discs(case: dict[str, Any]) -> None:
+    found = form_factor(disc(case["r1"], 0.0, True), disc(case["r2"], case["distance"], False))
+    assert found == pytest.approx(case["F12"], rel=1e-4)
+
+
+def test_from_a_point() -> None:
+    corner = [case for case in CASES["point_to_polygon"] if "corner of parallel" in case["name"]]
+    for case in corner:
+        a, b, c = case["a"], case["b"], case["c"]
+        ring = np.array([(0, 0, c), (0, b, c), (a, b, c), (a, 0, c)], float)
+        assert kernels.lambert(np.zeros(3), np.array([0.0, 0, 1]), ring, 4) == pytest.approx(case["F"], rel=1e-12)
+    ring = disc(1.0, 1.0, False)
+    assert kernels.lambert(np.zeros(3), np.array([0.0, 0, 1]), ring, len(ring)) == pytest.approx(0.5, rel=1e-4)
+
+
+def room(size: tuple[float, float, float], materials: list[Material]) -> Scene:
+    b = Builder("room")
+    for ring, material in zip(box((0, 0, 0), size, inside=True), materials, strict=True):
+        b.add([ring], material)
+    return b.scene()
+
+
+@pytest.mark.parametrize("case", ["box_1x2x3", "cube_one_emitter"])
+def test_boxes_with_one_patch_for_each_wall(case: str) -> None:
+    given_ = CASES[case]
+    order = ["x0", "x1", "y0", "y1", "z0", "z1"]  # as scene.box makes them
+    at = [given_["faces"].index(name) for name in order]
+    rho, E = (np.atleast_2d(np.array(given_[name], float)) for name in ("rho", "E"))
+    rho, E = (values if values.shape[0] == 6 else values.T for values in (rho, E))
+    spread = [np.broadcast_to(values, (6, 3)) if values.shape[1] in (1, 3) else values for values in (rho, E)]
+    materials = [
+        Material(f"m{k}", tuple(spread[0][k].tolist()), tuple(spread[1][k].tolist()))
+        for k in at
+    ]  # fmt: skip
+    scene = room(tuple(map(float, given_["size"])), materials).checked()
+    parts = patches_of(scene, list(scene.rings), list(range(6)))
+    factors = compute(parts, exact=True)
+    assert pytest.approx(np.array(given_["F"])[np.ix_(at, at)], rel=1e-6, abs=1e-9) == factors.F
+    B = solved(factors, "lu")[-1].B
+    expected = np.atleast_2d(np.array(given_["B"], float))
+    expected = np.broadcast_to(expected if expected.shape[0] == 6 else expected.T, (6, 3))
+    assert pytest.approx(expected[at], rel=1e-5) == B
+
+
+@pytest.mark.parametrize("case", CASES["furnace"], ids=lambda case: str(case["rho"]))
+def test_furnace(case: dict[str, float]) -> None:
+    """Every wall of a closed room emits and reflects alike: B = E / (1 - rho)."""
+    rho, E = case["rho"], case["E"]
+    scene = room((1, 2, 3), [Material("wall", (rho,) * 3, (E,) * 3)] * 6).checked()
+    factors = compute(subdivide(scene, 150), exact=True).closed()
+    B = solved(factors, tolerance=1e-9, most=5000)[-1].B
+    assert pytest.approx(np.full(B.shape, case["B"]), rel=2e-4) == B
+
+
+# ---------------------------------------------------------------- laws
+
+
+@pytest.fixture(scope="module")
+def closed() -> FormFactors:
+    return compute(subdivide(BUILT_IN["cornell-closed"].make().checked(), 900))
+
+
+def test_reciprocity_and_rows(closed: FormFactors) -> None:
+    assert np.array_equal(closed.S, closed.S.T)
+    error = np.abs(closed.row_sums - 1.0)
+    assert error.mean() < 6e-4
+    assert error.max() < 0.01
+    assert np.abs(closed.closed().row_sums - 1.0).max() < 1e-5
+
+
+def test_energy_balance_and_linearity(closed: FormFactors) -> None:
+    steps = solved(closed, "cg", tolerance=1e-7)
+    assert steps[-1].balance == pytest.approx(1.0, abs=1e-5)
+    p = closed.patches
+    absorbed = (p.area[:, None] * (1 - p.rho) / np.maximum(p.rho, 1e-12) * (steps[-1].B - p.E)).sum()
+    leak = ((1.0 - closed.row_sums) * p.area) @ steps[-1].B
+    assert absorbed + leak.sum() == pytest.approx((p.area[:, None] * p.E).sum(), rel=1e-4)
+    system = System.of(closed)
+    doubled = replace(system, E=2.0 * system.E)
+    twice = next(SOLVERS["lu"](doubled)).B
+    assert twice == pytest.approx(2.0 * next(SOLVERS["lu"](system)).B, rel=1e-9)
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_solvers_agree(solver: str, closed: FormFactors) -> None:
+    exact = solved(closed, "lu")[-1].B
+    steps = solved(closed, solver, tolerance=1e-6)
+    assert np.abs(steps[-1].B - exact).max() < 3e-5 * exact.max()
+    residuals = [step.residual for step in steps]
+    assert residuals[-1] <= 1e-6
+    assert solver == "lu" or residuals[-1] < residuals[0]
+
+
+def test_jacobis_iterations_are_bounces(closed: FormFactors) -> None:
+    system = System.of(closed)
+    steps = SOLVERS["jacobi"](system)
+    first, second = next(steps).B, next(steps).B
+    assert np.array_equal(first, system.E)
+    assert second == pytest.approx(system.E + system.rho * (closed.F @ system.E), rel=1e-4, abs=1e-6)
+
+
+def test_a_solver_does_not_pretend(closed: FormFactors) -> None:
+    with pytest.raises(SceneError, match="did not converge: after 2 iterations"):
+        solved(closed, "jacobi", most=2)
+    with pytest.raises(SceneError, match="the solvers are"):
+        solved(closed, "magic")
+
+
+def turned(scene: Scene, scale: float = 1.0) -> Scene:
+    turn, _ = np.linalg.qr(np.random.default_rng(5).normal(size=(3, 3)))
+    turn *= np.sign(np.linalg.det(turn))
+    return replace(scene, rings=tuple(scale * ring @ turn.T + (3.0, -2.0, 7.0) for ring in scene.rings))
+
+
+@pytest.mark.parametrize("scale", [1.0, 0.01, 1000.0])
+def test_nothing_changes_when_the_scene_is_moved_turned_or_scaled(scale: float) -> None:
+    scene = BUILT_IN["goral"].make().checked()
+    one, two = (compute(subdivide(s, 150), exact=True) for s in (scene, turned(scene, scale)))
+    assert pytest.approx(one.F, rel=1e-5, abs=1e-9) == two.F
+
+
+def test_threads_do_not_change_the_result() -> None:
+    parts = subdivide(BUILT_IN["cornell"].make().checked(), 300)
+    assert np.array_equal(compute(parts, threads=1).S, compute(parts, threads=3).S)
+
+
+def test_blocked_pairs_against_monte_carlo() -> None:
+    parts = subdivide(BUILT_IN["cornell"].make().checked(), 60)
+    ours = compute(parts)
+    free = compute(parts, "analytic").S
+    S, error = monte_carlo(parts, 3000, 1, lambda *_: None)
+    own = 0.06 * free  # where a pair is partly hidden, 16 rays, or 64, are off by half of 1 / sqrt(64)
+    sure = error > 0
+    apart = np.linalg.norm(parts.center[:, None] - parts.center, axis=2)
+    sure &= apart > parts.size[:, None] + parts.size  # near ones have errors without a variance
+    deviations = np.abs(ours.S - S)[sure] / np.hypot(error, own)[sure]
+    assert np.median(deviations) < 0.5
+    assert np.quantile(deviations, 0.99) < 3
+    far = apart > parts.size[:, None] + parts.size
+    assert ours.S[far].sum() == pytest.approx(S[far].sum(), rel=5e-3)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_methods(method: str) -> None:
+    scene = room((1, 1, 1), [Material("wall", (0.5,) * 3, (1.0,) * 3)] * 6).checked()
+    factors = compute(subdivide(scene, 150), method)
+    assert np.array_equal(factors.S, factors.S.T)
+    error = np.abs(factors.row_sums - 1.0).mean()
+    assert error < {"contour": 1e-3, "analytic": 1e-3, "point": 0.2, "disc": 0.1, "monte-carlo": 0.2}[method]
+    assert (factors.error is not None) == (method == "monte-carlo")
+
+
+@settings(max_examples=12, deadline=None, suppress_health_check=list(HealthCheck))
+@given(st.integers(0, 2**32 - 1))
+def test_random_rooms_with_random_blocks(seed: int) -> None:
+    """Rows of any closed room sum to 1."""
+    rng = np.random.default_rng(seed)
+    size = rng.uniform(1, 3, 3)
+    b = Builder("random")
+    b.add(box((0, 0, 0), size.tolist(), inside=True), Material("wall", (0.6,) * 3, (1.0,) * 3))
+    low = size * rng.uniform(0.15, 0.4, 3) * (1, rng.integers(0, 2), 1)  # on the floor, or in the air
+    high = low + size * rng.uniform(0.1, 0.4, 3)
+    b.add(box(low.tolist(), high.tolist()), Material("block", (0.3,) * 3))
+    factors = compute(subdivide(b.scene().checked(), 250))
+    error = np.abs(factors.row_sums - 1.0)
+    assert np.average(error, weights=factors.patches.area) < 2e-3
+
+
+# ---------------------------------------------------------------- the path-traced Cornell box
+
+
+@pytest.fixture(scope="module")
+def traced() -> dict[str, np.ndarray]:
+    with np.load(REFERENCE / "cornell_black_front.npz") as stored:
+        return {name: stored[name] for name in stored.files}
+
+
+@pytest.fixture(scope="module")
+def on_reference(traced: dict[str, np.ndarray]) -> tuple[Patches, np.ndarray]:
+    """Radiosity on the very patches of the reference."""
+    scene = BUILT_IN["cornell"].make().checked()
+    offsets, corners = traced["ring_offsets"], traced["ring_vertices"]
+    rings = [corners[a:b] for a, b in pairwise(offsets)]
+    parts = patches_of(scene, rings, [0] * len(rings))
+    parts = replace(parts, rho=traced["rho"], E=traced["E"], normal=traced["normal"], area=traced["area"])
+    return parts, solved(compute(parts))[-1].B
+
+
+def deviation(B: np.ndarray, traced: dict[str, np.ndarray], key: str = "B") -> tuple[float, float]:
+    """rms of the reflected part, weighted by area, and the bias of the energy."""
+    area, E = traced["area"][:, None], traced["E"]
+    d, r = B - traced[key], traced[key] - E
+    return float(np.sqrt((area * d * d).sum() / (area * r * r).sum())), float((area * d).sum() / (area * r).sum())
+
+
+def test_cornell_box(traced: dict[str, np.ndarray], on_reference: tuple[Patches, np.ndarray]) -> None:
+    rms, bias = deviation(on_reference[1], traced)
+    assert rms < 0.0085
+    assert abs(bias) < 0.0008
+
+
+def test_gathering_at_points(traced: dict[str, np.ndarray], on_reference: tuple[Patches, np.ndarray]) -> None:
+    """A final gather at the middles of the patches, against path tracing there."""
+    parts, B = on_reference
+    mesh = replace(
+        mesh_of(parts), vertices=traced["centre"], at=traced["centre"], normals=traced["normal"],
+        patch=np.arange(len(parts)),
+    )  # fmt: skip
+    rms, bias = deviation(gathered(parts, mesh, B), traced, "B_centre")
+    assert rms < 0.009
+    assert abs(bias) < 0.002
+
+
+# ---------------------------------------------------------------- patches, vertices, files
+
+
+def test_patches_are_cut_where_bodies_stand() -> None:
+    scene = BUILT_IN["cornell"].make().checked()
+    parts = subdivide(scene, 700)
+    names = [scene.materials[scene.material[p]].name for p in parts.polygon]
+    floor = parts.polygon == 0
+    footprints = 55259.5
+    assert parts.area[floor].sum() == pytest.approx(552.8 * 559.2 - 0.5 * 3.2 * 559.2 - footprints, rel=1e-4)
+    ceiling = parts.polygon == 1
+    assert parts.area[ceiling].sum() == pytest.approx(556 * 559.2 - 130 * 105, rel=1e-6)
+    assert set(names) == {"white", "green", "red", "black", "light"}
+    assert set(parts.counts) == {3, 4}
+
+
+def test_no_t_vertices() -> None:
+    """No vertex of a surface lies on an edge of one of its triangles."""
+    parts = subdivide(BUILT_IN["cornell"].make().checked(), 400)
+    mesh = mesh_of(parts)
+    for polygon in (0, 1):
+        chosen = mesh.triangles[parts.polygon[mesh.triangle_patch] == polygon]
+        points = mesh.vertices[np.unique(chosen)]
+        assert mesh_area(mesh.vertices[chosen]) == pytest.approx(parts.area[parts.polygon == polygon].sum(), rel=1e-9)
+        for a, b in {(int(t[k]), int(t[(k + 1) % 3])) for t in chosen for k in range(3)}:
+            start, way = mesh.vertices[a], mesh.vertices[b] - mesh.vertices[a]
+            along = (points - start) @ way / (way @ way)
+            off = np.linalg.norm(points - start - along[:, None] * way, axis=1)
+            assert not ((off < 1e-6) & (along > 1e-6) & (along < 1 - 1e-6)).any()
+
+
+def mesh_area(triangles: np.ndarray) -> float:
+    return float(
+        np.linalg.norm(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]), axis=1).sum() / 2
+    )
+
+
+def test_vertices_in_a_furnace() -> None:
+    """Where all walls have the same B, so have all vertices, gathered or averaged."""
+    found = radiosity.solve("furnace", 200, close=True)
+    assert found.vertex_radiosity == pytest.approx(np.full(found.vertex_radiosity.shape, 2.0), rel=0.01)
+    mean = averaged(found.patches, found.mesh, found.B)
+    assert mean == pytest.approx(np.full(mean.shape, 2.0), rel=1e-3)
+
+
+def test_tones() -> None:
+    B = np.array([[0.0, 0.5, 1.0], [2.0, 4.0, 1e9]])
+    assert toned(B, 1.0, gamma=1.0).tolist() == [[0.0, 0.5, 1.0], [1.0, 1.0, 1.0]]
+    assert toned(B, 1.0, "reinhard", 1.0)[0].tolist() == pytest.approx([0.0, 1 / 3, 0.5])
+    assert toned(B, 2.0)[0, 2] == pytest.approx(0.5 ** (1 / 2.2))
+    with pytest.raises(ValueError, match="tones are"):
+        toned(B, 1.0, "sepia")
+
+
+@pytest.fixture(scope="module")
+def small() -> radiosity.Radiosity:
+    return radiosity.solve("cornell", 250)
+
+
+def test_files(small: radiosity.Radiosity, tmp_path: Path) -> None:
+    import trimesh
+    from PIL import Image
+
+    for name in ("c.png", "c.glb", "c.ply", "c.npz"):
+        small.save(tmp_path / name, size=128)
+    with Image.open(tmp_path / "c.png") as picture:
+        colors = np.asarray(picture.convert("RGB")).astype(int)
+    assert colors[60, 12, 0] > 1.5 * colors[60, 12, 1]  # red left
+    assert colors[60, 118, 1] > 1.2 * colors[60, 118, 0]  # green right, in yellow light
+    for name in ("c.glb", "c.ply"):
+        mesh = trimesh.load(tmp_path / name, force="mesh")
+        assert len(mesh.faces) == len(small.mesh.triangles)
+        assert len(np.unique(mesh.visual.vertex_colors, axis=0)) > 100
+    with np.load(tmp_path / "c.npz") as stored:
+        assert stored["triangles"].shape == (len(stored["triangle_patch"]), 3, 3)
+        assert stored["B"].shape == stored["E"].shape == stored["rho"].shape == stored["normal"].shape
+        assert stored["area"].sum() == pytest.approx(mesh_area(stored["triangles"]), rel=1e-9)
+    with pytest.raises(SceneError, match=r"must end in"):
+        small.save(tmp_path / "c.xyz")
+    report = small.report()
+    assert json.loads(json.dumps(report))["n"] == len(small.patches)
+    assert report["row_sum_error_mean"] < 2e-3
+    assert small.row_picture(5, 64).size == (64, 64)
+    with pytest.raises(SceneError, match="1 views"):
+        small.picture(64, 3)
+
+
+def test_a_mesh_file_and_a_program(tmp_path: Path) -> None:
+    import trimesh
+
+    room_ = trimesh.creation.box((4, 3, 5))
+    room_.invert()
+    room_.visual = trimesh.visual.TextureVisuals(
+        material=trimesh.visual.material.PBRMaterial(name="wall", baseColorFactor=[0.5, 0.5, 0.5, 1.0])
+    )
+    lamp = trimesh.creation.icosphere(subdivisions=1, radius=0.4)
+    lamp.visual = trimesh.visual.TextureVisuals(
+        material=trimesh.visual.material.PBRMaterial(name="lamp", emissiveFactor=[1.0, 1.0, 1.0])
+    )
+    trimesh.Scene([room_, lamp]).export(tmp_path / "room.glb")
+    scene = scene_from(tmp_path / "room.glb")
+    assert {material.name for material in scene.materials} == {"wall", "lamp"}
+    found = radiosity.solve(tmp_path / "room.glb", 300)
+    assert found.report()["row_sum_error_mean"] < 0.01
+    brighter = scene_from(tmp_path / "room.glb", {"lamp": Material("lamp", (0.0,) * 3, (5.0, 5.0, 5.0))})
+    assert max(material.E[0] for material in brighter.materials) == 5.0
+    with pytest.raises(SceneError, match="no material named sky"):
+        scene_from(tmp_path / "room.glb", {"sky": Material("sky", (0.0,) * 3)})
+
+    (tmp_path / "program.py").write_text("""
+from OpenGL.GL import *
+from OpenGL.GLUT import *
+def wall(emission, *corners):
+    glMaterialfv(GL_FRONT, GL_EMISSION, [emission] * 3 + [1])
+    glBegin(GL_QUADS)
+    for corner in corners:
+        glVertex3f(*corner)
+    glEnd()
+def display():
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glTranslatef(0, 0, -3)
+    wall(1.0, (-1, 1, -1), (1, 1, -1), (1, 1, 1), (-1, 1, 1))
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, [0.8, 0.2, 0.2, 1])
+    wall(0.0, (-1, -1, 1), (1, -1, 1), (1, -1, -1), (-1, -1, -1))
+    glutSwapBuffers()
+glutInit()
+glutInitDisplayMode(GLUT_DOUBLE)
+glutCreateWindow("t")
+glEnable(GL_LIGHTING)
+glutDisplayFunc(display)
+glutMainLoop()
+""")
+    found = radiosity.solve(tmp_path / "program.py", 60)
+    floor = found.patches.E.max(axis=1) == 0.0
+    red = found.B[floor].mean(axis=0)
+    assert red[0] == pytest.approx(4 * red[1], rel=0.05)
+    assert 0.1 < red[0] < 0.2  # about 0.2 of the light arrives, 0.8 of its red leaves
+
+
+# ---------------------------------------------------------------- bad input
+
+SQUARE = quad((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0))
+GREY, LAMP = Material("grey", (0.5,) * 3), Material("lamp", (0.0,) * 3, (1.0,) * 3)
+
+
+@pytest.mark.parametrize(
+    ("rings", "material", "sentence"),
+    [
+        ([SQUARE], Material("mirror", (1.0, 0.5, 0.5)), "less than 1, or light never ends"),
+        ([SQUARE], Material("hole", (-0.1, 0.5, 0.5)), "at least 0"),
+        ([SQUARE], Material("odd", (float("nan"), 0.5, 0.5)), "finite numbers"),
+        ([SQUARE], Material("sink", (0.5,) * 3, (-1.0, 0.0, 0.0)), "must not be negative"),
+        ([SQUARE], GREY, "nothing emits light"),
+        ([SQUARE * np.nan], LAMP, "coordinates that are not finite"),
+        ([SQUARE * 0.0], LAMP, "degenerate"),
+        ([], LAMP, "no polygon"),
+    ],
+)
+def test_bad_scenes(rings: list[np.ndarray], material: Material, sentence: str) -> None:
+    b = Builder("bad")
+    b.add(rings, material)
+    with pytest.raises(SceneError, match=sentence):
+        replace(b.scene(), materials=(material,)).checked()
+
+
+def test_what_can_be_mended_is_noted() -> None:
+    b = Builder("mended")
+    twisted = quad((0, 0, 1), (1, 0, 1), (1, 1, 1.3), (0, 1, 1))
+    b.add([SQUARE, SQUARE, SQUARE * (1, 0, 0), twisted], LAMP)
+    scene = b.scene().checked()
+    assert len(scene.rings) == 3
+    assert sorted(note.split(" ", 1)[1] for note in scene.notes) == [
+        "degenerate polygons dropped",
+        "duplicate polygons dropped",
+        "polygons that were not planar split into triangles",
+    ]
+
+
+def test_a_scene_that_would_not_fit() -> None:
+    parts = subdivide(BUILT_IN["furnace"].make().checked(), 600)
+    with pytest.raises(SceneError, match="take fewer patches"):
+        compute(parts, limit=10**6)
+    with pytest.raises(SceneError, match="the methods for form factors are"):
+        compute(parts, "guess")
+
+
+def test_an_interrupted_run_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("glsim.radiosity.formfactors.BLOCK", 5000)
+    parts = subdivide(BUILT_IN["cornell"].make().checked(), 250)
+    whole = compute(parts)
+    target = str(tmp_path / "rows.npz")
+    calls = 0
+
+    def interrupted(stage: str, done: int, of: int) -> None:
+        nonlocal calls
+        calls += 1
+        if calls == 4:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        compute(parts, checkpoint=target, progress=interrupted)
+    assert Path(target).exists()
+    first: list[int] = []
+    again = compute(parts, checkpoint=target, progress=lambda stage, done, of: first.append(done))
+    assert first[0] > 2 * 5000
+    assert np.array_equal(again.S, whole.S)
+    assert not Path(target).exists()
+    (tmp_path / "rows.npz").write_text("nothing")
+    with pytest.raises(SceneError, match="is no checkpoint"):
+        compute(parts, checkpoint=target)
+
+
+def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    from glsim.cli import main
+
+    monkeypatch.chdir(tmp_path)
+    words = [
+        "radiosity",
+        "goral",
+        "--patches",
+        "100",
+        "--size",
+        "64",
+        "-o",
+        "a.png",
+        "-o",
+        "a.npz",
+        "--report",
+        "r.json",
+    ]
+    assert main([*words, "--json"]) == 0
+    record = json.loads(capsys.readouterr().out)
+    assert record["status"] == "ok"
+    assert record["n"] == json.loads(Path("r.json").read_text())["n"]
+    assert {"a.png", "a.npz", "r.json"} <= {path.name for path in tmp_path.iterdir()}
+    assert main(["radiosity", "nowhere.glb"]) == 1
+    assert "there is no such file" in capsys.readouterr().err
+    assert main(["radiosity", "goral", "--method", "x", "--patches", "10"]) == 1
+    assert main(["radiosity", "--list"]) == 0
+    assert "cornell-closed" in capsys.readouterr().out
