@@ -82,8 +82,9 @@ def test_python_of_the_readme(program: str, tmp_path: Path) -> None:
     assert list(tmp_path.glob("*.png"))
 
 
-def test_the_equation_of_the_readme() -> None:
-    run(sys.executable, "-c", blocks("py")[1], PYTHONPATH=str(ROOT))
+@pytest.mark.parametrize("number", [1, 2])
+def test_short_programs_of_the_readme(number: int, tmp_path: Path) -> None:
+    run(sys.executable, "-c", blocks("py")[number], cwd=tmp_path, PYTHONPATH=str(ROOT))
 
 
 def test_glsim_commands_of_the_readme(tmp_path: Path) -> None:
@@ -94,7 +95,7 @@ def test_glsim_commands_of_the_readme(tmp_path: Path) -> None:
         if "--window" not in command:  # tests/test_window.py opens windows
             words = shlex.split(command, comments=True)[1:]
             run(sys.executable, "-m", "glsim", *words, cwd=tmp_path, PYTHONPATH=str(ROOT))
-    assert {"frames", "teapot.gif", "after-a-drag", "teapot-shading.png", "terms.png"} <= {
+    assert {"frames", "teapot.gif", "after-a-drag", "teapot-shading.png", "terms.png", "box.glb"} <= {
         path.name for path in tmp_path.iterdir()
     }
 

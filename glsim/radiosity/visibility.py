@@ -8,6 +8,7 @@ alone, so results are the same however many threads work.
 from __future__ import annotations
 
 import os
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -242,12 +243,21 @@ class Visibility:
         self.mesh = TriangleMesh(self.scene, np.ascontiguousarray(scene.triangles(), np.float32))
         boxes = boxes_of(scene) if len(scene.rings) < 4000 else None
         self.boxes = boxes if boxes is not None and len(boxes) <= MOST_BOXES else None
+        self.local = threading.local()
         self.pool = ThreadPoolExecutor(threads or os.cpu_count() or 1)
         self.scene.run(np.zeros((1, 3), np.float32), np.ones((1, 3), np.float32))  # builds Embree's tree, once
 
     def blocked(self, origins: NDArray[np.float32], ways: NDArray[np.float32]) -> NDArray[np.int32]:
         """For each ray, from an origin along the whole of its way: -1 if nothing is hit."""
-        return np.asarray(self.scene.run(origins, ways, dists=np.ones(len(origins), np.float32), query="OCCLUDED"))
+        return np.asarray(self.scene.run(origins, ways, dists=self._ones(len(origins)), query="OCCLUDED"))
+
+    def _ones(self, size: int) -> NDArray[np.float32]:
+        """How far rays go: the whole way.  Embree writes into it."""
+        kept = getattr(self.local, "ones", None)
+        if kept is None or len(kept) < size:
+            kept = self.local.ones = np.empty(size, np.float32)
+        kept[:size] = 1.0
+        return np.asarray(kept[:size])
 
     def fractions(self, rings: Float, counts: Int, normals: Float, centers: Float, radii: Float, pairs: Int) -> Float:
         """The share of the form factor of each pair (k, 2) that is not blocked, (k,) in [0, 1]."""
@@ -293,9 +303,7 @@ class Visibility:
         return result
 
     def _send(self, arrays: Any, first: int, count: int, seen: Float, total: Float) -> None:
-        size = len(seen) * count
-        origins, ways = np.empty((size, 3), np.float32), np.empty((size, 3), np.float32)
-        weights = np.empty(size)
+        origins, ways, weights = self._room(len(seen) * count)
         points, normals, rows, rings, counts, facing, columns = arrays
         _point_rays(points, normals, rows, rings, counts, facing, columns, first, count, origins, ways, weights)
         _add(weights, self.blocked(origins, ways), count, seen, total)
@@ -314,8 +322,14 @@ class Visibility:
     def _shoot(
         self, rings: Float, counts: Int, normals: Float, pairs: Int, first: int, count: int, seen: Float, total: Float
     ) -> None:
-        size = len(pairs) * count
-        origins, ways = np.empty((size, 3), np.float32), np.empty((size, 3), np.float32)
-        weights = np.empty(size)
+        origins, ways, weights = self._room(len(pairs) * count)
         _rays(rings, counts, normals, pairs, TABLE, first, count, origins, ways, weights)
         _add(weights, self.blocked(origins, ways), count, seen, total)
+
+    def _room(self, size: int) -> tuple[NDArray[np.float32], NDArray[np.float32], Float]:
+        """Arrays for so many rays: each thread's own, again and again."""
+        kept = getattr(self.local, "room", None)
+        if kept is None or len(kept[2]) < size:
+            kept = np.empty((size, 3), np.float32), np.empty((size, 3), np.float32), np.empty(size)
+            self.local.room = kept
+        return kept[0][:size], kept[1][:size], kept[2][:size]
