@@ -433,6 +433,7 @@ def _add_radiosity(commands: Any) -> None:
     p.add_argument("--tolerance", type=float, default=1e-6, help="of the residual (default: %(default)s)")
     p.add_argument("--size", type=_size, default=512, metavar="N", help="pixels of a picture (default: %(default)s)")
     p.add_argument("--view", type=_number, default=0, metavar="N", help="which camera of the scene (default: 0)")
+    p.add_argument("--direct", metavar="FILE", help="a picture of direct illumination and radiosity side by side")
     p.add_argument("--close", action="store_true", help="scale form factors so that rows sum to 1: closed scenes")
     p.add_argument("--report", metavar="FILE", help="write the report as JSON")
     p.add_argument("--resume", metavar="FILE", help="where finished rows are kept when interrupted, and taken from")
@@ -454,12 +455,12 @@ def _radiosity(options: argparse.Namespace) -> int:
             "glsim radiosity: name a scene, a mesh file or a program; --list shows the built-in scenes", file=sys.stderr
         )
         return 2
-    from glsim.files import write_text
+    from glsim.files import write_atomically, write_text
     from glsim.radiosity.result import solve
 
     outputs = options.output or ["radiosity.png"]
-    for name in outputs:
-        if Path(name).suffix.lower() not in (".glb", ".ply", ".npz"):
+    for name in (*outputs, *([options.direct] if options.direct else [])):
+        if Path(name).suffix.lower() not in (".glb", ".ply", ".npz") or name == options.direct:
             _check_picture_name(name)
     with _bars() as bars:
         stages: dict[str, Any] = {}
@@ -477,6 +478,10 @@ def _radiosity(options: argparse.Namespace) -> int:
         )  # fmt: skip
     for name in outputs:
         result.save(name, size=options.size, view=options.view)
+    if options.direct:
+        sheet = result.beside_direct(options.size, options.view)
+        write_atomically(options.direct, lambda name: sheet.save(name))
+        outputs = [*outputs, options.direct]
     report = {**result.report(), "outputs": outputs}
     if options.report:
         write_text(Path(options.report), json.dumps(report, indent=1) + "\n")

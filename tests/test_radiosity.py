@@ -334,6 +334,17 @@ def test_tones() -> None:
         toned(B, 1.0, "sepia")
 
 
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_built_in_scenes(name: str) -> None:
+    """Nothing is odd about them: fronts look inwards, all rooms but the plates are closed."""
+    scene = BUILT_IN[name].make().checked()
+    parts = subdivide(scene, 300)
+    sums = compute(parts).row_sums
+    mean = float(np.average(np.abs(sums - 1.0), weights=parts.area))
+    assert mean < 0.01 or name == "plates"
+    assert scene.views
+
+
 @pytest.fixture(scope="module")
 def small() -> radiosity.Radiosity:
     return radiosity.solve("cornell", 250)
@@ -363,6 +374,12 @@ def test_files(small: radiosity.Radiosity, tmp_path: Path) -> None:
     assert json.loads(json.dumps(report))["n"] == len(small.patches)
     assert report["row_sum_error_mean"] < 2e-3
     assert small.row_picture(5, 64).size == (64, 64)
+    direct = small.direct()
+    ceiling = small.mesh.normals[:, 1] < -0.9
+    dark = ceiling & (small.patches.E[small.mesh.patch].max(axis=1) == 0.0)
+    assert direct[dark].max() < 1e-6  # no light shines directly onto the ceiling that holds the lamp
+    assert small.vertex_radiosity[dark].min() > 0.001
+    assert small.beside_direct(64).size[0] > 128
     with pytest.raises(SceneError, match="1 views"):
         small.picture(64, 3)
 

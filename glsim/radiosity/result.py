@@ -109,6 +109,19 @@ class Radiosity:
             screen.release()
             make_current(before if isinstance(before, Machine) else None)
 
+    def direct(self) -> Float:
+        """Radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
+        return gathered(self.patches, self.mesh, self.patches.E)
+
+    def beside_direct(self, size: int = 512, view: int | View = 0) -> Image.Image:
+        """Direct illumination and radiosity from the same camera, side by side, with the same white."""
+        from glsim.study.sheet import tiles
+
+        white = automatic_white(self.patches, self.B)
+        both = (("direct illumination", self.direct()), ("radiosity", self.vertex_radiosity))
+        row = [(name, np.asarray(self.picture(size, view, colors=toned(B, white)))) for name, B in both]
+        return tiles(self.patches.scene.name, [row], size)
+
     def view(self, which: int | View) -> View:
         """A camera of the scene by its number.  Raises SceneError for one that is not there."""
         if isinstance(which, View):

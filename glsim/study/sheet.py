@@ -124,10 +124,10 @@ def terms_sheet(terms: Terms) -> Image.Image:
     return tiles(title, rows)
 
 
-def tiles(title: str, rows: Sequence[Sequence[tuple[str, NDArray[np.uint8]]]]) -> Image.Image:
-    """Labelled pictures in rows."""
+def tiles(title: str, rows: Sequence[Sequence[tuple[str, NDArray[np.uint8]]]], tile: int = TILE) -> Image.Image:
+    """Labelled pictures in rows; tile: their larger side in pixels, at most."""
     height, width = rows[0][0][1].shape[:2]
-    factor = min(1.0, TILE / max(height, width)) if max(height, width) > TILE else max(1, TILE // max(height, width))
+    factor = min(1.0, tile / max(height, width)) if max(height, width) > tile else max(1, tile // max(height, width))
     size = round(width * factor), round(height * factor)
     gap, line = 8, 20
     columns = max(map(len, rows))
