@@ -138,7 +138,7 @@ def gathered(patches: Patches, mesh: Mesh, B: Float, progress: Progress | None =
         factors = np.zeros((last - first, len(patches)))
         kernels.gather(points, mesh.normals, *arrays, least, first, last, factors)
         rows, columns = np.nonzero(factors)
-        if visibility.boxes is None or len(visibility.boxes):
+        if visibility.bodies is None or len(visibility.bodies.counts):
             shares = visibility.from_points(points[first:last], mesh.normals[first:last], patches, rows, columns)
             factors[rows, columns] *= shares
         H[first:last] = factors @ B

@@ -154,7 +154,7 @@ def _by_pairs(
 
 
 def _hide(visibility: Any, patches: Patches, block: NDArray[np.float32], first: int) -> None:
-    if visibility.boxes is not None and not len(visibility.boxes):
+    if visibility.bodies is not None and not len(visibility.bodies.counts):
         return  # nothing can stand in between
     rows, columns = np.nonzero(block[:, first:])
     pairs = np.stack([rows + first, columns + first], axis=1)

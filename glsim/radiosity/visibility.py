@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import threading
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,7 @@ Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 FIRST, MORE = 16, 48  # rays of a pair
 POINT_RAYS = 8  # from a vertex to a patch, before MORE
-CHUNK = 1 << 14  # pairs at a time, in each thread
+CHUNK = 1 << 12  # pairs at a time, in each thread
 SHORTEN = 1e-4  # of a ray, at both ends, so that it does not meet the patches themselves
 
 # Fractional parts of k times these are evenly spread over the four-dimensional cube (Roberts 2018).
@@ -51,37 +52,43 @@ def _rays(
             z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
             z = z ^ (z >> np.uint64(31))
             shift[k] = float(z >> np.uint64(11)) / 9007199254740992.0
-        even = _edges(rings[i], counts[i], e[0])
-        even &= _edges(rings[j], counts[j], e[1])
-        for s in range(count):
+        o_0, o_u, o_v = _edges(rings[i], counts[i], normals[i], e[0])
+        t_0, t_x, t_y = _edges(rings[j], counts[j], normals[j], e[1])
+        one, two = counts[i] == 3, counts[j] == 3
+        (ax, ay, az), (bx, by, bz), (cx, cy, cz), (dx, dy, dz) = e[0]
+        (fx, fy, fz), (gx, gy, gz), (hx, hy, hz), (kx, ky, kz) = e[1]
+        (mx, my, mz), (nx, ny, nz) = normals[i], normals[j]
+        fx, fy, fz = fx - ax, fy - ay, fz - az
+        for s in range(count):  # written out: this is where the time goes
             u, v = table[first + s, 0] + shift[0], table[first + s, 1] + shift[1]
             x, y = table[first + s, 2] + shift[2], table[first + s, 3] + shift[3]
             u, v = u - (u >= 1.0), v - (v >= 1.0)
             x, y = x - (x >= 1.0), y - (y >= 1.0)
-            if counts[i] == 3 and u + v > 1.0:
+            if one and u + v > 1.0:
                 u, v = 1.0 - u, 1.0 - v
-            if counts[j] == 3 and x + y > 1.0:
+            if two and x + y > 1.0:
                 x, y = 1.0 - x, 1.0 - y
-            squared = c_1 = c_2 = 0.0
+            uv, xy = u * v, x * y
+            px, py, pz = u * bx + v * cx + uv * dx, u * by + v * cy + uv * dy, u * bz + v * cz + uv * dz
+            wx = fx + x * gx + y * hx + xy * kx - px
+            wy = fy + x * gy + y * hy + xy * ky - py
+            wz = fz + x * gz + y * hz + xy * kz - pz
+            squared = wx * wx + wy * wy + wz * wz
+            c_1, c_2 = wx * mx + wy * my + wz * mz, -(wx * nx + wy * ny + wz * nz)
             at = row * count + s
-            for k in range(3):
-                p = e[0, 0, k] + u * e[0, 1, k] + v * (e[0, 2, k] + u * e[0, 3, k])
-                way = e[1, 0, k] + x * e[1, 1, k] + y * (e[1, 2, k] + x * e[1, 3, k]) - p
-                squared += way * way
-                c_1 += way * normals[i, k]
-                c_2 -= way * normals[j, k]
-                origins[at, k] = p + SHORTEN * way
-                ways[at, k] = (1.0 - 2.0 * SHORTEN) * way
-            weight = max(c_1, 0.0) * max(c_2, 0.0) / (squared * squared) if squared > 0.0 else 0.0
-            if not even:
-                weight *= _density(rings[i], counts[i], u, v) * _density(rings[j], counts[j], x, y)
-            weights[at] = weight
+            origins[at, 0] = ax + px + SHORTEN * wx
+            origins[at, 1] = ay + py + SHORTEN * wy
+            origins[at, 2] = az + pz + SHORTEN * wz
+            ways[at, 0] = (1.0 - 2.0 * SHORTEN) * wx
+            ways[at, 1] = (1.0 - 2.0 * SHORTEN) * wy
+            ways[at, 2] = (1.0 - 2.0 * SHORTEN) * wz
+            density = (o_0 + u * o_u + v * o_v) * (t_0 + x * t_x + y * t_y)
+            weights[at] = density * c_1 * c_2 / (squared * squared) if c_1 > 0.0 and c_2 > 0.0 else 0.0
 
 
 @jit
-def _edges(ring: Any, count: int, e: Any) -> bool:
-    """A patch as e_0 + u e_1 + v e_2 + u v e_3; whether its points lie equally dense."""
-    size = bend = 0.0
+def _edges(ring: Any, count: int, n: Any, e: Any) -> tuple[float, float, float]:
+    """A patch as e_0 + u e_1 + v e_2 + u v e_3; a, b, c of its area for each unit of u and v, a + b u + c v."""
     for k in range(3):
         e[0, k], e[1, k] = ring[0, k], ring[1, k] - ring[0, k]
         if count == 3:
@@ -89,9 +96,15 @@ def _edges(ring: Any, count: int, e: Any) -> bool:
         else:
             e[2, k] = ring[3, k] - ring[0, k]
             e[3, k] = ring[2, k] - ring[1, k] - e[2, k]
-        size += e[1, k] * e[1, k] + e[2, k] * e[2, k]
-        bend += e[3, k] * e[3, k]
-    return bool(bend <= 1e-12 * size)
+    return _triple(n, e[1], e[2]), _triple(n, e[1], e[3]), _triple(n, e[3], e[2])
+
+
+@jit
+def _triple(n: Any, a: Any, b: Any) -> float:
+    """n . (a x b)"""
+    return float(
+        n[0] * (a[1] * b[2] - a[2] * b[1]) + n[1] * (a[2] * b[0] - a[0] * b[2]) + n[2] * (a[0] * b[1] - a[1] * b[0])
+    )
 
 
 @jit
@@ -100,9 +113,10 @@ def _point_rays(
     origins: Any, ways: Any, weights: Any,
 ) -> None:  # fmt: skip
     """Rays from points to low-discrepancy points of patches (the two-dimensional sequence)."""
-    q = np.empty(3)
+    q, e = np.empty(3), np.empty((4, 3))
     for row in range(len(rows)):
         v, j = rows[row], columns[row]
+        t_0, t_x, t_y = _edges(rings[j], counts[j], facing[j], e)
         for s in range(count):
             x, y = 0.5 + (first + s) * 0.7548776662466927, 0.5 + (first + s) * 0.5698402909980532
             x, y = x - np.floor(x), y - np.floor(y)
@@ -116,7 +130,7 @@ def _point_rays(
                 c_2 -= way * facing[j, k]
                 origins[at, k] = points[v, k] + SHORTEN * way
                 ways[at, k] = (1.0 - 2.0 * SHORTEN) * way
-            density = _density(rings[j], counts[j], x, y)
+            density = t_0 + x * t_x + y * t_y
             weights[at] = density * max(c_1, 0.0) * max(c_2, 0.0) / (squared * squared) if squared > 0.0 else 0.0
 
 
@@ -145,76 +159,104 @@ def _add(weights: Any, hit: Any, count: int, seen: Any, total: Any) -> None:
                 seen[row] += w
 
 
+SEEN, ASK, HIDDEN = 1, 2, 0  # what the bodies alone tell of a pair
+
+
 @jit
-def may_be_blocked(centers: Any, radii: Any, pairs: Any, boxes: Any, out: Any) -> None:
-    """Whether the capsule around two patches meets any of the oriented boxes (k, 5, 3): centre, axes, half sizes."""
+def judge(centers: Any, radii: Any, pairs: Any, planes: Any, counts: Any, solid: Any, out: Any) -> None:
+    """What convex bodies tell of pairs of patches, by the capsule around each pair: SEEN if it misses all of them,
+    HIDDEN if all of it goes through one that is ``solid`` (k,), else ASK.
+
+    planes: (k, m, 4), of which ``counts`` (k,) are in use: a body is where n.p <= d for all of its (n, d).
+    """
     for row in range(len(pairs)):
         i, j = pairs[row, 0], pairs[row, 1]
         r = max(radii[i], radii[j])
-        out[row] = False
-        for b in range(len(boxes)):
-            enter, leave = 0.0, 1.0
-            for axis in range(3):
-                start = along = 0.0
+        out[row] = SEEN
+        for b in range(len(planes)):
+            enter = enter_core = 0.0
+            leave = leave_core = 1.0
+            for m in range(counts[b]):
+                start = end = -planes[b, m, 3]
                 for k in range(3):
-                    start += boxes[b, 1 + axis, k] * (centers[i, k] - boxes[b, 0, k])
-                    along += boxes[b, 1 + axis, k] * (centers[j, k] - centers[i, k])
-                half = boxes[b, 4, axis] + r
+                    start += planes[b, m, k] * centers[i, k]
+                    end += planes[b, m, k] * centers[j, k]
+                along = end - start
                 if along == 0.0:
-                    if abs(start) > half:
-                        leave = -1.0
+                    along = 1e-300
+                t = (r - start) / along
+                core = (-r - start) / along
+                if along > 0.0:
+                    leave, leave_core = min(leave, t), min(leave_core, core)
                 else:
-                    t_0, t_1 = (-half - start) / along, (half - start) / along
-                    enter, leave = max(enter, min(t_0, t_1)), min(leave, max(t_0, t_1))
+                    enter, enter_core = max(enter, t), max(enter_core, core)
                 if enter > leave:
                     break
             if enter <= leave:
-                out[row] = True
-                break
+                if solid[b] and enter_core < leave_core:
+                    out[row] = HIDDEN
+                    break
+                out[row] = ASK
 
 
-@jit
-def _density(ring: Any, count: int, u: float, v: float) -> float:
-    """Area for each unit of u and v at a point of a patch."""
-    if count == 3:
-        return 1.0
-    x, y = np.empty(3), np.empty(3)
-    for k in range(3):
-        x[k] = (1.0 - v) * (ring[1, k] - ring[0, k]) + v * (ring[2, k] - ring[3, k])
-        y[k] = (1.0 - u) * (ring[3, k] - ring[0, k]) + u * (ring[2, k] - ring[1, k])
-    a, b, c = x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]
-    return float(np.sqrt(a * a + b * b + c * c))
+@dataclass(frozen=True)
+class Bodies:
+    """Convex bodies outside of which nothing can stand in between: see ``judge``."""
+
+    planes: Float
+    counts: Int
+    solid: NDArray[np.bool_]
 
 
-def boxes_of(scene: Scene) -> Float:
-    """Oriented boxes (k, 5, 3) around the bodies in a scene that can stand between others: (0, 5, 3) if there are none.
+MOST_BODIES, MOST_PLANES = 48, 24  # more are not worth asking
+
+
+def bodies_of(scene: Scene) -> Bodies | None:
+    """The bodies of a scene; None if they are too many to be of use.
 
     Polygons that have the whole scene on their front side are its shell, which blocks nothing.  The others form bodies
-    by common corners.
+    by common corners.  A convex one is the space behind its own polygons; of another the box around it is taken.
     """
+    if len(scene.rings) > 4000:
+        return None
     points = np.concatenate(scene.rings)
     tolerance = 1e-4 * scene.size
     inner = [ring for ring in scene.rings if ((points - ring[0]) @ normal_of(ring)).min() < -tolerance]
-    body: dict[tuple[float, ...], int] = {}
-    bodies: list[list[Float]] = []
-    for ring in inner:
-        keys = [tuple(row) for row in np.round(ring / tolerance).tolist()]
-        touched = sorted({body[key] for key in keys if key in body})
-        number = touched[0] if touched else len(bodies)
-        if not touched:
-            bodies.append([])
-        bodies[number].append(ring)
-        for other in touched[1:]:
-            bodies[number] += bodies[other]
-            bodies[other] = []
-            body = {key: number if value == other else value for key, value in body.items()}
-        body.update(dict.fromkeys(keys, number))
-    boxes = [_box_around(rings) for rings in bodies if rings]
-    return np.array(boxes) if boxes else np.empty((0, 5, 3))
+    groups = _connected(inner, tolerance)
+    if len(groups) > MOST_BODIES:
+        return None
+    planes, counts = np.zeros((len(groups), MOST_PLANES, 4)), np.zeros(len(groups), np.int64)
+    solid = np.zeros(len(groups), np.bool_)
+    for number, rings in enumerate(groups):
+        found = _box_planes(rings)
+        own = _own_planes(rings, tolerance)
+        if own is not None and len(found) + len(own) <= MOST_PLANES:
+            found, solid[number] = np.concatenate([found, own]), _closed_but_for_a_plane(rings, tolerance)
+        planes[number, : len(found)], counts[number] = found, len(found)
+    return Bodies(planes, counts, solid)
 
 
-def _box_around(rings: list[Float]) -> Float:
-    """The box along the largest polygon's normal and longest edge."""
+def _connected(rings: list[Float], tolerance: float) -> list[list[Float]]:
+    """Polygons that have corners in common."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    if not rings:
+        return []
+    corners = np.round(np.concatenate(rings) / tolerance).astype(np.int64)
+    _, corner = np.unique(corners, axis=0, return_inverse=True)
+    owner = np.repeat(np.arange(len(rings)), [len(ring) for ring in rings])
+    n = len(rings)
+    graph = coo_matrix((np.ones(len(owner)), (owner, n + corner.ravel())), shape=(n + len(corners),) * 2)
+    _, label = connected_components(graph, directed=False)
+    groups: dict[int, list[Float]] = {}
+    for ring, number in zip(rings, label[:n].tolist(), strict=True):
+        groups.setdefault(number, []).append(ring)
+    return list(groups.values())
+
+
+def _box_planes(rings: list[Float]) -> Float:
+    """The box along the largest polygon's normal and longest edge: six planes (n, d)."""
     largest = max(rings, key=area_of)
     edges = np.roll(largest, -1, axis=0) - largest
     x = edges[np.argmax(np.linalg.norm(edges, axis=1))]
@@ -222,17 +264,37 @@ def _box_around(rings: list[Float]) -> Float:
     z = normal_of(largest)
     axes = np.stack([x, np.cross(z, x), z])
     inside = np.concatenate(rings) @ axes.T
-    low, high = inside.min(axis=0), inside.max(axis=0)
-    return np.concatenate([[(low + high) / 2.0 @ axes], axes, [(high - low) / 2.0]])
+    high, low = np.c_[axes, inside.max(axis=0)], np.c_[-axes, -inside.min(axis=0)]
+    return np.concatenate([high, low])
 
 
-MOST_BOXES = 48  # more are not worth asking
+def _own_planes(rings: list[Float], tolerance: float) -> Float | None:
+    """The planes of the polygons, if all corners are behind all of them."""
+    normals = np.array([normal_of(ring) for ring in rings])
+    planes = np.c_[normals, np.einsum("nk,nk->n", normals, np.array([ring[0] for ring in rings]))]
+    planes = planes[np.unique(np.round(planes / (1.0, 1.0, 1.0, 100 * tolerance), 4), axis=0, return_index=True)[1]]
+    beyond = np.concatenate(rings) @ planes[:, :3].T - planes[:, 3]
+    return planes if beyond.max() < tolerance else None
+
+
+def _closed_but_for_a_plane(rings: list[Float], tolerance: float) -> bool:
+    """Whether a convex body has no hole, or one flat hole: then whatever goes through it meets a polygon."""
+    ends: dict[frozenset[tuple[float, ...]], list[Float]] = {}
+    for ring in rings:
+        for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+            key = frozenset(tuple(np.round(p / tolerance).tolist()) for p in (a, b))
+            ends.setdefault(key, []).append(np.array([a, b]))
+    rim = [edges[0] for edges in ends.values() if len(edges) == 1]
+    if not rim:
+        return True
+    points = np.concatenate(rim)
+    return bool(np.linalg.svd(points - points.mean(axis=0), compute_uv=False)[-1] < tolerance * len(points))
 
 
 class Visibility:
     """Rays against the triangles of a scene.
 
-    Outside of ``boxes`` (see ``boxes_of``) nothing can block; None if they are too many to be of use.
+    Outside of ``bodies`` (see ``bodies_of``) nothing can block; None if they are too many to be of use.
     """
 
     def __init__(self, scene: Scene, threads: int | None = None) -> None:
@@ -241,8 +303,7 @@ class Visibility:
 
         self.scene: Any = EmbreeScene()
         self.mesh = TriangleMesh(self.scene, np.ascontiguousarray(scene.triangles(), np.float32))
-        boxes = boxes_of(scene) if len(scene.rings) < 4000 else None
-        self.boxes = boxes if boxes is not None and len(boxes) <= MOST_BOXES else None
+        self.bodies = bodies_of(scene)
         self.local = threading.local()
         self.pool = ThreadPoolExecutor(threads or os.cpu_count() or 1)
         self.scene.run(np.zeros((1, 3), np.float32), np.ones((1, 3), np.float32))  # builds Embree's tree, once
@@ -261,28 +322,32 @@ class Visibility:
 
     def fractions(self, rings: Float, counts: Int, normals: Float, centers: Float, radii: Float, pairs: Int) -> Float:
         """The share of the form factor of each pair (k, 2) that is not blocked, (k,) in [0, 1]."""
-        result = np.ones(len(pairs))
-        asked = np.arange(len(pairs))
-        if self.boxes is not None:
-            possible = np.zeros(len(pairs), np.bool_)
-            may_be_blocked(centers, radii, pairs, self.boxes, possible)
-            asked = np.flatnonzero(possible)
+        result, asked = self._judged(centers, radii, pairs)
         chunks = [asked[k : k + CHUNK] for k in range(0, len(asked), CHUNK)]
         work = self.pool.map(lambda chunk: self._chunk(rings, counts, normals, pairs[chunk]), chunks)
         for chunk, values in zip(chunks, work, strict=True):
             result[chunk] = values
         return result
 
+    def _judged(self, centers: Float, radii: Float, pairs: Int) -> tuple[Float, Int]:
+        """The share of each pair that is seen, as far as the bodies tell, and which pairs need rays."""
+        bodies = self.bodies
+        if bodies is None:
+            return np.ones(len(pairs)), np.arange(len(pairs))
+        verdict = np.empty(len(pairs), np.uint8)
+        parts = [slice(k, k + CHUNK) for k in range(0, len(pairs), CHUNK)]
+        list(
+            self.pool.map(
+                lambda k: judge(centers, radii, pairs[k], bodies.planes, bodies.counts, bodies.solid, verdict[k]), parts
+            )
+        )
+        return (verdict != HIDDEN).astype(np.float64), np.flatnonzero(verdict == ASK)
+
     def from_points(self, points: Float, ways: Float, patches: Patches, rows: Int, columns: Int) -> Float:
         """The share of the form factor from points[rows], with normals ``ways``, to patches[columns] that is seen."""
-        result = np.ones(len(rows))
-        asked = np.arange(len(rows))
-        if self.boxes is not None:
-            centers = np.concatenate([points, patches.center])
-            radii = np.concatenate([np.zeros(len(points)), patches.size / 2.0])
-            possible = np.zeros(len(rows), np.bool_)
-            may_be_blocked(centers, radii, np.stack([rows, columns + len(points)], axis=1), self.boxes, possible)
-            asked = np.flatnonzero(possible)
+        centers = np.concatenate([points, patches.center])
+        radii = np.concatenate([np.zeros(len(points)), patches.size / 2.0])
+        result, asked = self._judged(centers, radii, np.stack([rows, columns + len(points)], axis=1))
         chunks = [asked[k : k + CHUNK] for k in range(0, len(asked), CHUNK)]
 
         def one(chunk: Int) -> Float:
