@@ -434,6 +434,7 @@ def _add_radiosity(commands: Any) -> None:
     p.add_argument("--size", type=_size, default=512, metavar="N", help="pixels of a picture (default: %(default)s)")
     p.add_argument("--view", type=_number, default=0, metavar="N", help="which camera of the scene (default: 0)")
     p.add_argument("--direct", metavar="FILE", help="a picture of direct illumination and radiosity side by side")
+    p.add_argument("--flip", action="store_true", help="turn all fronts to the other side")
     p.add_argument("--close", action="store_true", help="scale form factors so that rows sum to 1: closed scenes")
     p.add_argument("--report", metavar="FILE", help="write the report as JSON")
     p.add_argument("--resume", metavar="FILE", help="where finished rows are kept when interrupted, and taken from")
@@ -473,7 +474,8 @@ def _radiosity(options: argparse.Namespace) -> int:
         task = bars.add_task("solving", total=None)
         result = solve(
             options.what, options.patches, method=options.method, solver=options.solver, tolerance=options.tolerance,
-            vertices=options.vertices, close=options.close, checkpoint=options.resume, progress=progress,
+            vertices=options.vertices, flip=options.flip, close=options.close, checkpoint=options.resume,
+            progress=progress,
             on_step=lambda step: bars.update(task, description=f"iteration {step.iteration}, {step.residual:.1e}"),
         )  # fmt: skip
     for name in outputs:

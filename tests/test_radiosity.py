@@ -268,6 +268,28 @@ def test_cornell_box(traced: dict[str, np.ndarray], on_reference: tuple[Patches,
     assert abs(bias) < 0.0008
 
 
+def test_cornell_box_with_four_times_the_patches(traced: dict[str, np.ndarray]) -> None:
+    scene = BUILT_IN["cornell"].make().checked()
+    rings, of = [], []
+    for number, (a, b) in enumerate(pairwise(traced["ring_offsets"])):
+        ring = traced["ring_vertices"][a:b]
+        middles = (ring + np.roll(ring, -1, axis=0)) / 2
+        if len(ring) == 4:
+            centre = (ring[0] + ring[1] + ring[2] + ring[3]) / 4
+            parts = [np.array([ring[k], middles[k], centre, middles[k - 1]]) for k in range(4)]
+        else:
+            parts = [np.array([ring[k], middles[k], middles[k - 1]]) for k in range(3)] + [middles]
+        rings += parts
+        of += [number] * 4
+    p = patches_of(scene, rings, [0] * len(rings))
+    p = replace(p, rho=traced["rho"][of], E=traced["E"][of], normal=traced["normal"][of])
+    B = solved(compute(p))[-1].B
+    total = np.stack([np.bincount(of, p.area * B[:, c]) for c in range(3)], axis=1)
+    rms, bias = deviation(total / np.bincount(of, p.area)[:, None], traced)
+    assert rms < 0.004
+    assert abs(bias) < 0.0005
+
+
 def test_gathering_at_points(traced: dict[str, np.ndarray], on_reference: tuple[Patches, np.ndarray]) -> None:
     """A final gather at the middles of the patches, against path tracing there."""
     parts, B = on_reference
@@ -460,6 +482,13 @@ def test_bad_scenes(rings: list[np.ndarray], material: Material, sentence: str) 
     b.add(rings, material)
     with pytest.raises(SceneError, match=sentence):
         replace(b.scene(), materials=(material,)).checked()
+
+
+def test_a_room_inside_out() -> None:
+    scene = replace(BUILT_IN["goral"].make().flipped(), name="inverted")
+    with pytest.raises(SceneError, match="are the normals inverted"):
+        radiosity.solve(scene, 60)
+    assert radiosity.solve(scene, 60, flip=True).report()["row_sum_error_mean"] < 0.01
 
 
 def test_what_can_be_mended_is_noted() -> None:

@@ -261,6 +261,11 @@ def _exposed(patches: Patches) -> Patches:
     hidden |= _behind_coplanar(patches, normals)
     if not hidden.any():
         return patches
+    if np.average(hidden, weights=patches.area) > 0.9:
+        raise SceneError(
+            f"{scene.name}: nearly all fronts look at backs: are the normals inverted? A room shows its fronts inside;"
+            " --flip turns them"
+        )
     kept = np.flatnonzero(~hidden)
     rings = [patches.rings[k, : patches.counts[k]] for k in kept]
     return patches_of(scene, rings, patches.polygon[kept].tolist())

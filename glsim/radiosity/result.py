@@ -215,15 +215,16 @@ def _check_packages() -> None:
 
 def solve(
     what: Any, patches: int = 2000, *, method: str = "contour", solver: str = "gauss-seidel", tolerance: float = 1e-6,
-    vertices: str = "gather", close: bool = False, threads: int | None = None, checkpoint: str | None = None,
-    progress: Progress | None = None,
+    vertices: str = "gather", flip: bool = False, close: bool = False, threads: int | None = None,
+    checkpoint: str | None = None, progress: Progress | None = None,
     on_step: Callable[[Step], object] | None = None,
 ) -> Radiosity:  # fmt: skip
     """Radiosity of a scene.
 
     what: whatever load.scene_from takes.  patches: about how many.  method: of form factors, see formfactors.METHODS.
     solver: see solvers.SOLVERS.  vertices: "gather" (a final gather at each vertex) or "average" (of patches).  close:
-    scale the form factors so that rows sum to 1, for closed scenes.  Raises SceneError.
+    scale the form factors so that rows sum to 1, for closed scenes.  flip: turn all fronts
+    to the other side.  Raises SceneError.
     """
     from glsim.radiosity.load import scene_from
 
@@ -238,9 +239,15 @@ def solve(
 
     start = time.perf_counter()
     tell("patches", 0, 1)
-    parts = subdivide(scene_from(what).checked(), patches)
+    scene = scene_from(what)
+    parts = subdivide((scene.flipped() if flip else scene).checked(), patches)
     timed("patches", start)
     factors = compute(parts, method, threads=threads, progress=tell, checkpoint=checkpoint)
+    if float(factors.row_sums @ parts.area) < 1e-3 * float(parts.area.sum()):
+        raise SceneError(
+            f"{parts.scene.name}: no patch sees another: are the normals inverted? A room shows its fronts inside;"
+            " --flip turns them"
+        )
     if close:
         factors = factors.closed()
     seconds.update(factors.seconds)
