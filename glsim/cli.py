@@ -11,6 +11,7 @@ import os
 import re
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -434,6 +435,11 @@ def _add_radiosity(commands: Any) -> None:
     p.add_argument("--size", type=_size, default=512, metavar="N", help="pixels of a picture (default: %(default)s)")
     p.add_argument("--view", type=_number, default=0, metavar="N", help="which camera of the scene (default: 0)")
     p.add_argument("--direct", metavar="FILE", help="a picture of direct illumination and radiosity side by side")
+    p.add_argument(
+        "--white", type=_positive, metavar="B", help="the radiosity that becomes white (default: by the scene)"
+    )
+    p.add_argument("--tone", choices=("linear", "reinhard"), default="linear", help="tone mapping (default: linear)")
+    p.add_argument("--gamma", type=_positive, default=2.2, help="of the screen (default: 2.2)")
     p.add_argument("--flip", action="store_true", help="turn all fronts to the other side")
     p.add_argument("--close", action="store_true", help="scale form factors so that rows sum to 1: closed scenes")
     p.add_argument("--report", metavar="FILE", help="write the report as JSON")
@@ -441,6 +447,16 @@ def _add_radiosity(commands: Any) -> None:
     p.add_argument("--list", action="store_true", help="list the built-in scenes")
     p.add_argument("--json", action="store_true", help="print the report as one JSON object")
     p.set_defaults(run=_radiosity)
+
+
+def _positive(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0.0 < value < 1e12:
+        raise argparse.ArgumentTypeError(f"a number above 0 is needed, not {text!r}")
+    return value
 
 
 def _radiosity(options: argparse.Namespace) -> int:
@@ -478,6 +494,7 @@ def _radiosity(options: argparse.Namespace) -> int:
             progress=progress,
             on_step=lambda step: bars.update(task, description=f"iteration {step.iteration}, {step.residual:.1e}"),
         )  # fmt: skip
+    result = replace(result, white=options.white, tone=options.tone, gamma=options.gamma)
     for name in outputs:
         result.save(name, size=options.size, view=options.view)
     if options.direct:

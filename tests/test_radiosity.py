@@ -402,6 +402,8 @@ def test_files(small: radiosity.Radiosity, tmp_path: Path) -> None:
     assert direct[dark].max() < 1e-6  # no light shines directly onto the ceiling that holds the lamp
     assert small.vertex_radiosity[dark].min() > 0.001
     assert small.beside_direct(64).size[0] > 128
+    assert len(small.convergence_picture().getcolors(1 << 16)) > 5
+    assert len(small.matrix_picture(100).getcolors(1 << 16)) > 20
     with pytest.raises(SceneError, match="1 views"):
         small.picture(64, 3)
 
@@ -561,6 +563,10 @@ def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeyp
     assert record["status"] == "ok"
     assert record["n"] == json.loads(Path("r.json").read_text())["n"]
     assert {"a.png", "a.npz", "r.json"} <= {path.name for path in tmp_path.iterdir()}
+    brighter = ["radiosity", "goral", "--patches", "100", "--size", "64", "-o", "b.png", "--tone", "reinhard"]
+    assert main([*brighter, "--white", "0.1", "--gamma", "1.8"]) == 0
+    assert Path("b.png").read_bytes() != Path("a.png").read_bytes()
+    capsys.readouterr()
     assert main(["radiosity", "nowhere.glb"]) == 1
     assert "there is no such file" in capsys.readouterr().err
     assert main(["radiosity", "goral", "--method", "x", "--patches", "10"]) == 1

@@ -34,7 +34,8 @@ class Radiosity:
     """The solution of a scene.
 
     B: (n, 3) per patch; steps: one for each iteration (only the last has its B); mesh, vertex_radiosity: triangles and
-    the radiosity at their vertices (V, 3); seconds: by stage.
+    the radiosity at their vertices (V, 3); seconds: by stage.  white: the radiosity that becomes white (None: chosen by
+    the scene), tone: see bake.TONES, gamma: of the screen.
     """
 
     patches: Patches
@@ -45,6 +46,9 @@ class Radiosity:
     vertex_radiosity: Float
     solver: str
     seconds: dict[str, float] = field(default_factory=dict)
+    white: float | None = None
+    tone: str = "linear"
+    gamma: float = GAMMA
 
     # ------------------------------------------------------------ numbers
 
@@ -87,9 +91,10 @@ class Radiosity:
             gl.glDisableClientState(array)
         gl.glDisable(gl.GL_CULL_FACE)
 
-    def colors(self, white: float | None = None, tone: str = "linear", gamma: float = GAMMA) -> Float:
-        """Colours of the vertices for the screen, (V, 3) in [0, 1].  white: the radiosity that becomes white."""
-        return toned(self.vertex_radiosity, white or automatic_white(self.patches, self.B), tone, gamma)
+    def colors(self, B: Float | None = None) -> Float:
+        """Colours for the screen, (V, 3) in [0, 1], of the vertices' radiosity or of another one."""
+        shown = self.vertex_radiosity if B is None else B
+        return toned(shown, self.white or automatic_white(self.patches, self.B), self.tone, self.gamma)
 
     def picture(
         self, size: int = 512, view: int | View = 0, *, colors: Float | None = None, samples: int = 4
@@ -117,9 +122,8 @@ class Radiosity:
         """Direct illumination and radiosity from the same camera, side by side, with the same white."""
         from glsim.study.sheet import tiles
 
-        white = automatic_white(self.patches, self.B)
         both = (("direct illumination", self.direct()), ("radiosity", self.vertex_radiosity))
-        row = [(name, np.asarray(self.picture(size, view, colors=toned(B, white)))) for name, B in both]
+        row = [(name, np.asarray(self.picture(size, view, colors=self.colors(B)))) for name, B in both]
         return tiles(self.patches.scene.name, [row], size)
 
     def view(self, which: int | View) -> View:
@@ -144,6 +148,18 @@ class Radiosity:
         own = np.unique(self.mesh.triangles[self.mesh.triangle_patch == patch])
         shown[own] = (1.0, 0.5, 0.0)
         return self.picture(size, view, colors=shown)
+
+    def convergence_picture(self) -> Image.Image:
+        """The residual over the iterations."""
+        from glsim.radiosity.plots import convergence
+
+        return convergence({self.solver: self.steps})
+
+    def matrix_picture(self, size: int = 640) -> Image.Image:
+        """The matrix of form factors, logarithmic."""
+        from glsim.radiosity.plots import matrix
+
+        return matrix(self.factors.F, size)
 
     def _repr_png_(self) -> bytes | None:
         return self.picture()._repr_png_()
