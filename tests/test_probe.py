@@ -16,7 +16,7 @@ from glsim.gl import *
 from glsim.study.capture import capture
 from glsim.study.compare import shaded
 from glsim.study.play import Plan
-from glsim.study.probe import Prober
+from glsim.study.prober import Prober
 from glsim.study.run import run
 from tests.oracle import PROGRAMS
 
