@@ -18,9 +18,10 @@ pytest.importorskip("embreex")
 
 from glsim import radiosity
 from glsim.radiosity import kernels
-from glsim.radiosity.bake import averaged, gathered, mesh_of, toned
+from glsim.radiosity.bake import averaged, gathered, toned
 from glsim.radiosity.formfactors import METHODS, FormFactors, compute
 from glsim.radiosity.load import scene_from
+from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.patches import Patches, patches_of, subdivide
 from glsim.radiosity.scene import Builder, Material, Scene, SceneError, box, normal_of, quad
 from glsim.radiosity.scenes import BUILT_IN

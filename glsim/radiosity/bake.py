@@ -8,115 +8,16 @@ surface has a crease.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.radiosity.mesh import Mesh
 from glsim.radiosity.patches import Patches
 
 Float = NDArray[np.float64]
-Int = NDArray[np.int64]
 Progress = Callable[[str, int, int], object]
-INWARD = 0.02  # how far a vertex at a border is moved into the largest patch it belongs to, when it gathers
 NEGLIGIBLE = 1e-5  # of all the light a vertex gets: such contributions are not asked whether they are seen
-
-
-@dataclass(frozen=True)
-class Mesh:
-    """Triangles without T-vertices.
-
-    vertices, normals: (V, 3); at: (V, 3) where light is gathered; patch: (V,) the largest patch each vertex belongs
-    to; triangles: (T, 3) numbers of vertices; triangle_patch: (T,).
-    """
-
-    vertices: Float
-    normals: Float
-    at: Float
-    patch: Int
-    triangles: Int
-    triangle_patch: Int
-
-
-def mesh_of(patches: Patches) -> Mesh:
-    """The patches as triangles that share vertices; a patch whose edges have vertices of its neighbours on them becomes
-    a fan around its middle."""
-    scale = patches.scene.size
-    keys: dict[tuple[float, ...], int] = {}
-    positions: list[Float] = []
-    members: list[list[int]] = []
-
-    def vertex(point: Float, patch: int) -> int:
-        surface = _surface(patches, patch)
-        key = (*np.round(point / scale, 7).tolist(), surface)
-        number = keys.setdefault(key, len(positions))
-        if number == len(positions):
-            positions.append(point)
-            members.append([])
-        members[number].append(patch)
-        return number
-
-    corners = [[vertex(patches.rings[k, c], k) for c in range(patches.counts[k])] for k in range(len(patches))]
-    by_surface: dict[int, list[int]] = {}
-    for k in range(len(patches)):
-        by_surface.setdefault(_surface(patches, k), []).append(k)
-    around: dict[int, float] = {}  # the angle that patches take up around each vertex
-    triangles: list[tuple[int, int, int]] = []
-    owner: list[int] = []
-    for chosen in by_surface.values():
-        there = np.array(sorted({number for k in chosen for number in corners[k]}))
-        points = np.array([positions[number] for number in there])
-        for k in chosen:
-            ring = _with_neighbours(corners[k], positions, there, points, 1e-7 * scale)
-            for before, a, after in zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True):
-                if k not in members[a]:
-                    members[a].append(k)
-                angle = _angle(positions[before] - positions[a], positions[after] - positions[a])
-                around[a] = around.get(a, 0.0) + angle
-            if len(ring) == len(corners[k]):
-                parts = [(ring[0], ring[m], ring[m + 1]) for m in range(1, len(ring) - 1)]
-            else:
-                middle = vertex(patches.center[k], k)
-                parts = [(middle, ring[m], ring[(m + 1) % len(ring)]) for m in range(len(ring))]
-            triangles += parts
-            owner += [k] * len(parts)
-    where = np.array(positions)
-    patch = np.array([max(group, key=lambda k: patches.area[k]) for group in members])
-    normals = np.array([_mean(patches.normal[group], patches.area[group]) for group in members])
-    border = np.array([around.get(number, 7.0) < 6.28 for number in range(len(where))])
-    at = np.where(border[:, None], where + INWARD * (patches.center[patch] - where), where)
-    return Mesh(where, normals, at, patch, np.array(triangles), np.array(owner))
-
-
-def _angle(a: Float, b: Float) -> float:
-    return float(np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b))
-
-
-def _surface(patches: Patches, k: int) -> int:
-    """Patches of one flat polygon, or of one smooth body, share vertices."""
-    scene = patches.scene
-    polygon = int(patches.polygon[k])
-    return scene.group[polygon] if scene.group else polygon
-
-
-def _with_neighbours(ring: list[int], positions: list[Float], there: Int, points: Float, tolerance: float) -> list[int]:
-    """The ring with the vertices that lie on its edges."""
-    result: list[int] = []
-    for a, b in zip(ring, [*ring[1:], ring[0]], strict=True):
-        result.append(a)
-        start, way = positions[a], positions[b] - positions[a]
-        length = float(np.linalg.norm(way))
-        along = (points - start) @ way / (length * length)
-        off = np.linalg.norm(points - start - along[:, None] * way, axis=1)
-        inside = (off < tolerance) & (along * length > tolerance) & ((1.0 - along) * length > tolerance)
-        result += there[np.flatnonzero(inside)[np.argsort(along[inside])]].tolist()
-    return result
-
-
-def _mean(normals: Float, areas: Float) -> Float:
-    total = (normals * areas[:, None]).sum(axis=0)
-    length = np.linalg.norm(total)
-    return np.asarray(total / length if length > 0.0 else normals[0])
 
 
 def gathered(patches: Patches, mesh: Mesh, B: Float, progress: Progress | None = None) -> Float:

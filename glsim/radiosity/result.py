@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
-from glsim.radiosity.bake import GAMMA, Mesh, automatic_white, averaged, gathered, mesh_of, toned
+from glsim.radiosity.bake import GAMMA, automatic_white, averaged, gathered, toned
 from glsim.radiosity.formfactors import FormFactors, compute
+from glsim.radiosity.mesh import Mesh, mesh_of
 from glsim.radiosity.patches import Patches, subdivide
 from glsim.radiosity.scene import Scene, SceneError, View
 from glsim.radiosity.solvers import Step, solved

@@ -17,8 +17,9 @@ from typing import Any
 
 import numpy as np
 
-from glsim.radiosity.bake import gathered, mesh_of
+from glsim.radiosity.bake import gathered
 from glsim.radiosity.formfactors import compute
+from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.patches import Patches, subdivide
 from glsim.radiosity.scenes import BUILT_IN
 from glsim.radiosity.solvers import solved

@@ -1,0 +1,102 @@
+"""Cutting patches along the lines where polygons touch: there the light changes at once."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.radiosity.scene import Scene, area_of
+
+Float = NDArray[np.float64]
+Segments = list[tuple[Float, Float]]
+TOUCHING = 1e-6  # of the scene's size: this near, polygons touch
+SLIVER = 1e-3  # of a whole cell's area: smaller pieces are left out
+MANY = 4000  # polygons: of so fine a mesh they are no larger than patches, and nothing is cut
+
+
+def contacts(scene: Scene, normals: Float) -> dict[int, Segments]:
+    """For each polygon the edges of others that lie in it; those of coplanar polygons too: a lamp in a ceiling."""
+    if len(scene.rings) > MANY:
+        return {}
+    tolerance = TOUCHING * scene.size
+    owner = np.repeat(np.arange(len(scene.rings)), [len(ring) for ring in scene.rings])
+    starts = np.concatenate(scene.rings)
+    ends = np.concatenate([np.roll(ring, -1, axis=0) for ring in scene.rings])
+    found: dict[int, Segments] = {}
+    for number, (ring, normal) in enumerate(zip(scene.rings, normals, strict=True)):
+        low, high = ring.min(axis=0) - tolerance, ring.max(axis=0) + tolerance
+        near = (np.abs((starts - ring[0]) @ normal) < tolerance) & (np.abs((ends - ring[0]) @ normal) < tolerance)
+        near &= (owner != number) & (np.maximum(starts, ends) >= low).all(axis=1)
+        near &= (np.minimum(starts, ends) <= high).all(axis=1)
+        if near.any():
+            found[number] = [(starts[k], ends[k]) for k in np.flatnonzero(near)]
+    return found
+
+
+def near_segments(cells: Float, segments: Segments, normal: Float, tolerance: float) -> NDArray[np.bool_]:
+    """Which of the cells (k, 4, 3) lie on both sides of a segment's line and beside the segment: those may be cut."""
+    result = np.zeros(len(cells), bool)
+    for a, b in segments:
+        along, across = b - a, np.cross(normal, b - a)
+        length = float(np.linalg.norm(along))
+        side, way = (cells - a) @ across / length, (cells - a) @ along / length
+        beside = (way.max(axis=1) > tolerance) & (way.min(axis=1) < length - tolerance)
+        result |= (side.min(axis=1) < -tolerance) & (side.max(axis=1) > tolerance) & beside
+    return result
+
+
+def cut(cell: Float, segments: Segments, normal: Float, scale: float) -> list[Float]:
+    """The cell cut along the segments that go through it, as convex pieces of at most four corners."""
+    pieces = [cell]
+    for a, b in segments:
+        pieces = [part for piece in pieces for part in _halves(piece, a, b, normal, TOUCHING * scale)]
+    whole = area_of(cell)
+    return [part for piece in pieces for part in _at_most_four(piece) if area_of(part) > SLIVER * whole]
+
+
+def _halves(piece: Float, a: Float, b: Float, normal: Float, tolerance: float) -> list[Float]:
+    across = np.cross(normal, b - a)
+    sides = (piece - a) @ (across / np.linalg.norm(across))
+    if sides.min() > -tolerance or sides.max() < tolerance or not _goes_through(piece, a, b, normal, tolerance):
+        return [piece]
+    return [_side(piece, sides), _side(piece, -sides)]
+
+
+def _side(piece: Float, sides: Float) -> Float:
+    """Where ``sides`` is positive."""
+    kept = []
+    for k in range(len(piece)):
+        a, b = sides[k], sides[(k + 1) % len(piece)]
+        if a >= 0.0:
+            kept.append(piece[k])
+        if (a > 0.0 > b) or (a < 0.0 < b):
+            kept.append(piece[k] + a / (a - b) * (piece[(k + 1) % len(piece)] - piece[k]))
+    return np.array(kept)
+
+
+def _goes_through(piece: Float, a: Float, b: Float, normal: Float, tolerance: float) -> bool:
+    """Whether a segment is inside of a convex polygon for more than a point."""
+    enter, leave = 0.0, 1.0
+    for p, q in zip(piece, np.roll(piece, -1, axis=0), strict=True):
+        inward = np.cross(normal, q - p)
+        length = np.linalg.norm(inward)
+        if length == 0.0:
+            continue
+        d_a, d_b = float((a - p) @ inward / length), float((b - p) @ inward / length)
+        if d_a <= tolerance and d_b <= tolerance:
+            return False
+        if d_a != d_b:
+            t = d_a / (d_a - d_b)
+            if d_a < 0.0:
+                enter = max(enter, t)
+            elif d_b < 0.0:
+                leave = min(leave, t)
+    return (leave - enter) * float(np.linalg.norm(b - a)) > tolerance
+
+
+def _at_most_four(ring: Float) -> list[Float]:
+    parts = []
+    while len(ring) > 4:
+        parts.append(ring[:4])
+        ring = np.concatenate([ring[:1], ring[3:]])
+    return [*parts, ring] if len(ring) > 2 else parts

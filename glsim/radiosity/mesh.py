@@ -1,0 +1,123 @@
+"""Patches as triangles that share vertices, without T-vertices."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.radiosity.patches import Patches
+
+Float = NDArray[np.float64]
+Int = NDArray[np.int64]
+INWARD = 0.02  # how far a vertex at a border is moved into the largest patch it belongs to, when it gathers
+SAME = 1e-7  # of the scene's size: this near, points are one vertex
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """Triangles without T-vertices.
+
+    vertices, normals: (V, 3); at: (V, 3) where light is gathered; patch: (V,) the largest patch each vertex belongs
+    to; triangles: (T, 3) numbers of vertices; triangle_patch: (T,).
+    """
+
+    vertices: Float
+    normals: Float
+    at: Float
+    patch: Int
+    triangles: Int
+    triangle_patch: Int
+
+
+@dataclass(frozen=True)
+class Outline:
+    """corners: (n, 4) vertex numbers of patches, a triangle repeats its last; positions: (V, 3); between: for an edge
+    (patch, corner) from that corner to the next, the vertices of neighbours that lie on it, in order."""
+
+    corners: Int
+    positions: Float
+    between: dict[tuple[int, int], list[int]]
+
+
+def outline(patches: Patches) -> Outline:
+    """Patches of one flat polygon, or of one smooth body, share vertices."""
+    n = len(patches)
+    group = np.asarray(patches.scene.group or range(len(patches.scene.rings)), np.int64)[patches.polygon]
+    unit = SAME * patches.scene.size
+    keys = np.column_stack([np.round(patches.rings.reshape(-1, 3) / unit).astype(np.int64), np.repeat(group, 4)])
+    _, first, number = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    corners = number.reshape(n, 4)
+    positions = patches.rings.reshape(-1, 3)[first]
+    return Outline(corners, positions, _between(corners, patches.counts, positions, keys[first, 3], unit))
+
+
+def _between(corners: Int, counts: Int, positions: Float, group: Int, unit: float) -> dict[tuple[int, int], list[int]]:
+    """Only edges that one patch alone has can have vertices on them, and only the ends of such edges."""
+    from scipy.spatial import cKDTree
+
+    patch, corner = np.nonzero(np.arange(4) < counts[:, None])
+    start, end = corners[patch, corner], corners[patch, (corner + 1) % counts[patch]]
+    key = np.minimum(start, end) * len(positions) + np.maximum(start, end)
+    _, inverse, times = np.unique(key, return_inverse=True, return_counts=True)
+    alone = np.flatnonzero(times[inverse] == 1)
+    start, end = start[alone], end[alone]
+    ends = np.unique(np.concatenate([start, end]))
+    middle, reach = (positions[start] + positions[end]) / 2.0, np.linalg.norm(positions[end] - positions[start], axis=1)
+    near = cKDTree(positions[ends]).query_ball_point(middle, 0.501 * reach)
+    found: dict[tuple[int, int], list[int]] = {}
+    for k in range(len(near)):
+        these = ends[near[k]]
+        these = these[group[these] == group[start[k]]]
+        way = (positions[end[k]] - positions[start[k]]) / reach[k]
+        along = (positions[these] - positions[start[k]]) @ way
+        off = np.linalg.norm(positions[these] - positions[start[k]] - along[:, None] * way, axis=1)
+        inside = (off < unit) & (along > unit) & (along < reach[k] - unit)
+        if inside.any():
+            order = np.argsort(along[inside])
+            found[int(patch[alone[k]]), int(corner[alone[k]])] = these[inside][order].tolist()
+    return found
+
+
+def mesh_of(patches: Patches) -> Mesh:
+    """A patch whose edges have vertices of its neighbours on them becomes a fan around its middle."""
+    lines = outline(patches)
+    corners, counts = lines.corners, patches.counts
+    fans = np.array(sorted({k for k, _ in lines.between}), np.int64)
+    plain = np.setdiff1d(np.arange(len(patches)), fans)
+    quads = plain[counts[plain] == 4]
+    triangles = [corners[plain][:, [0, 1, 2]], corners[quads][:, [0, 2, 3]]]
+    owners = [plain, quads]
+    for middle, k in enumerate(fans.tolist(), len(lines.positions)):
+        ring: list[int] = []
+        for corner in range(counts[k]):
+            ring += [int(corners[k, corner]), *lines.between.get((k, corner), [])]
+        triangles.append(np.array([(middle, a, b) for a, b in zip(ring, [*ring[1:], ring[0]], strict=True)]))
+        owners.append(np.full(len(ring), k))
+    where = np.concatenate([lines.positions, patches.center[fans]])
+    faces, of = np.concatenate(triangles), np.concatenate(owners)
+    return _with_normals(patches, where, faces, of)
+
+
+def _with_normals(patches: Patches, where: Float, triangles: Int, of: Int) -> Mesh:
+    """Normals by the area of the patches around; a vertex around which they leave a gap is at a border."""
+    around = np.zeros(len(where))
+    for k in range(3):
+        here, one, two = (where[triangles[:, (k + d) % 3]] for d in range(3))
+        one, two = one - here, two - here
+        angle = np.arctan2(np.linalg.norm(np.cross(one, two), axis=1), np.einsum("nk,nk->n", one, two))
+        np.add.at(around, triangles[:, k], angle)
+    vertex, patch = triangles.ravel(), np.repeat(of, 3)
+    order = np.lexsort((patch, patches.area[patch], vertex))  # the last of each vertex is the largest
+    largest = np.empty(len(where), np.int64)
+    largest[vertex[order]] = patch[order]
+    pairs = np.unique(vertex * len(patches) + patch)
+    vertex, patch = pairs // len(patches), pairs % len(patches)
+    normals = np.zeros((len(where), 3))
+    np.add.at(normals, vertex, patches.normal[patch] * patches.area[patch, None])
+    length = np.linalg.norm(normals, axis=1)
+    flat = length > 1e-12 * patches.area[largest]
+    normals = np.where(flat[:, None], normals / np.where(flat, length, 1.0)[:, None], patches.normal[largest])
+    at = np.where((around < 6.28)[:, None], where + INWARD * (patches.center[largest] - where), where)
+    return Mesh(where, normals, at, largest, triangles, of)
