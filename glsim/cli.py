@@ -428,8 +428,12 @@ def _add_radiosity(commands: Any) -> None:
     p.add_argument("-o", "--output", action="append", metavar="FILE",
                    help=".png, .glb, .ply or .npz; may be repeated (default: radiosity.png)")  # fmt: skip
     p.add_argument("--patches", type=_count, default=2000, metavar="N", help="about how many (default: %(default)s)")
-    p.add_argument("--method", default="contour", help="of form factors: contour, analytic, point, disc, monte-carlo")
-    p.add_argument("--solver", default="gauss-seidel", help="gauss-seidel, jacobi, sor, cg, shooting, lu")
+    p.add_argument("--method", default="contour",
+                   help="of form factors: contour, analytic, point, disc, monte-carlo, hierarchical")  # fmt: skip
+    p.add_argument("--solver", help="gauss-seidel, jacobi, sor, cg, shooting, lu (hierarchical: jacobi, cg)")
+    p.add_argument("--adaptive", action="store_true", help="smaller patches where the light changes fast")
+    p.add_argument("--accuracy", type=_positive, default=5e-5, metavar="A",
+                   help="of a link, in mean radiosities, for hierarchical (default: %(default)s)")  # fmt: skip
     p.add_argument("--vertices", default="gather", help="gather (at each vertex) or average (of the patches around)")
     p.add_argument("--tolerance", type=float, default=1e-6, help="of the residual (default: %(default)s)")
     p.add_argument("--size", type=_size, default=512, metavar="N", help="pixels of a picture (default: %(default)s)")
@@ -473,7 +477,7 @@ def _radiosity(options: argparse.Namespace) -> int:
         )
         return 2
     from glsim.files import write_atomically, write_text
-    from glsim.radiosity.result import solve
+    from glsim.radiosity.solution import solve
 
     outputs = options.output or ["radiosity.png"]
     for name in (*outputs, *([options.direct] if options.direct else [])):
@@ -490,8 +494,8 @@ def _radiosity(options: argparse.Namespace) -> int:
         task = bars.add_task("solving", total=None)
         result = solve(
             options.what, options.patches, method=options.method, solver=options.solver, tolerance=options.tolerance,
-            vertices=options.vertices, flip=options.flip, close=options.close, checkpoint=options.resume,
-            progress=progress,
+            vertices=options.vertices, adaptive=options.adaptive, accuracy=options.accuracy, flip=options.flip,
+            close=options.close, checkpoint=options.resume, progress=progress,
             on_step=lambda step: bars.update(task, description=f"iteration {step.iteration}, {step.residual:.1e}"),
         )  # fmt: skip
     result = replace(result, white=options.white, tone=options.tone, gamma=options.gamma)

@@ -1,11 +1,14 @@
 """Radiosity: diffuse light that bounces, solved patch by patch and baked into vertex colours.
 
     scene        polygons with reflectance and exitance, and their checks
-    patches      breaking them into patches
-    formfactors  how much of what leaves one patch arrives at another
+    patches      breaking them into patches, cut where they touch (contacts) and without what is hidden (exposure)
+    formfactors  how much of what leaves one patch arrives at another; textbook, hemicube: other ways to find it
+    hierarchy    links between levels of detail instead of a matrix
     solvers      the linear system (I - R F) B = E
+    adapt        more patches where the light changes fast
     bake         radiosity at vertices, tone mapping
-    result       glsim.radiosity.solve: all of it, and pictures, files, a report
+    solution     glsim.radiosity.solve: all of it
+    result       what it returns: pictures, files, a report
 
 Needs numba and embreex: ``pip install glsim[radiosity]``.
 """
@@ -17,16 +20,16 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from glsim.radiosity.result import Radiosity as Radiosity
-    from glsim.radiosity.result import solve as solve
     from glsim.radiosity.scene import Builder as Builder
     from glsim.radiosity.scene import Material as Material
     from glsim.radiosity.scene import Scene as Scene
     from glsim.radiosity.scene import SceneError as SceneError
     from glsim.radiosity.scene import View as View
     from glsim.radiosity.scenes import BUILT_IN as BUILT_IN
+    from glsim.radiosity.solution import solve as solve
 
 _HOME = {
-    "Radiosity": "result", "solve": "result", "Builder": "scene", "Material": "scene", "Scene": "scene",
+    "Radiosity": "result", "solve": "solution", "Builder": "scene", "Material": "scene", "Scene": "scene",
     "SceneError": "scene", "View": "scene", "BUILT_IN": "scenes",
 }  # fmt: skip
 __all__ = list(_HOME)

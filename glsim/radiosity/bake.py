@@ -14,36 +14,26 @@ from numpy.typing import NDArray
 
 from glsim.radiosity.mesh import Mesh
 from glsim.radiosity.patches import Patches
+from glsim.radiosity.solvers import Factors
 
 Float = NDArray[np.float64]
 Progress = Callable[[str, int, int], object]
-NEGLIGIBLE = 1e-5  # of all the light a vertex gets: such contributions are not asked whether they are seen
+AT_ONCE = 1024  # vertices
 
 
-def gathered(patches: Patches, mesh: Mesh, B: Float, progress: Progress | None = None) -> Float:
+def gathered(factors: Factors, mesh: Mesh, B: Float, progress: Progress | None = None) -> Float:
     """Radiosity at the vertices (V, 3): E + rho times the irradiance that all patches send there."""
-    from glsim.radiosity import kernels
     from glsim.radiosity.visibility import Visibility
 
     tell = progress or (lambda stage, done, of: None)
+    patches = factors.patches
     visibility = Visibility(patches.scene)
-    brightest = B.max(axis=1)
-    least = NEGLIGIBLE * float((patches.area * brightest).sum() / patches.area.sum()) / np.maximum(brightest, 1e-300)
-    H = np.empty((len(mesh.vertices), 3))
-    lift = 1e-6 * patches.scene.size * mesh.normals
-    points = mesh.at + lift
-    arrays = (patches.rings, patches.counts, patches.normal)
-    step = max(1, (1 << 21) // len(patches))
-    for first in range(0, len(points), step):
-        last = min(first + step, len(points))
-        factors = np.zeros((last - first, len(patches)))
-        kernels.gather(points, mesh.normals, *arrays, least, first, last, factors)
-        rows, columns = np.nonzero(factors)
-        if visibility.bodies is None or len(visibility.bodies.counts):
-            shares = visibility.from_points(points[first:last], mesh.normals[first:last], patches, rows, columns)
-            factors[rows, columns] *= shares
-        H[first:last] = factors @ B
-        tell("vertices", last, len(points))
+    points = mesh.at + 1e-6 * patches.scene.size * mesh.normals
+    H = np.empty((len(points), 3))
+    for first in range(0, len(points), AT_ONCE):
+        now = slice(first, min(first + AT_ONCE, len(points)))
+        H[now] = factors.at_points(visibility, points[now], mesh.normals[now], mesh.patch[now], B)
+        tell("vertices", now.stop, len(points))
     return np.asarray(patches.E[mesh.patch] + patches.rho[mesh.patch] * H)
 
 

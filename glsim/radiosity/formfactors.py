@@ -12,7 +12,7 @@ import time
 import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,15 +21,22 @@ from glsim.files import write_atomically
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.scene import SceneError
 
+if TYPE_CHECKING:
+    from glsim.radiosity.visibility import Visibility
+
 Float = NDArray[np.float64]
+Int = NDArray[np.int64]
 Progress = Callable[[str, int, int], object]  # stage, done, of
 BLOCK = 1 << 21  # pairs at a time
+NEGLIGIBLE = 1e-5  # of the mean radiosity: such contributions to a point are left out
+DIM = 30.0  # times that: for such contributions few rays are enough
 METHODS = {
     "contour": "each polygon whole: contour integrals near, Lambert's formula far, visibility by rays",
     "analytic": "the same without visibility: nothing blocks anything",
     "point": "textbook: from centre to centre, cos cos A / (pi r^2), one ray",
     "disc": "from centre to disc, cos cos A / (pi r^2 + A), one ray",
     "monte-carlo": "rays between random points of both patches, with standard errors",
+    "hierarchical": "links between levels of detail: for tens of thousands of patches",
 }
 
 
@@ -57,6 +64,35 @@ class FormFactors:
         """(n,): 1 in a closed scene, less where light escapes."""
         return np.asarray(self.S.sum(axis=1, dtype=np.float64) / self.patches.area)
 
+    def times(self, B: Float) -> Float:
+        """S B for B (n, 3), summed in float64."""
+        from glsim.radiosity.sweep import product
+
+        result = np.empty((len(self.S), 3))
+        product(self.S, np.ascontiguousarray(B), result)
+        return result
+
+    def at_points(self, visibility: Visibility, points: Float, ways: Float, patch: Int, B: Float) -> Float:
+        """Irradiance (k, 3) at points with normals ``ways``, from all patches, whichever patch they are on."""
+        from glsim.radiosity import kernels
+
+        p = self.patches
+        least = negligible(p, B) / np.maximum(B.max(axis=1), 1e-300)
+        factors = np.zeros((len(points), len(p)))
+        kernels.gather(points, ways, p.rings, p.counts, p.normal, p.center, p.size, least, factors)
+        rows, columns = np.nonzero(factors)
+        dim = factors[rows, columns] < DIM * least[columns]
+        factors[rows, columns] *= visibility.from_points(points, ways, p, rows, columns, dim)
+        return factors @ B
+
+    @property
+    def asymmetry(self) -> float:
+        """The largest |S_ij - S_ji|: how far reciprocity is from being exact."""
+        S = self.S
+        return max(
+            (float(np.abs(S[k : k + 512] - S[:, k : k + 512].T).max()) for k in range(0, len(S), 512)), default=0.0
+        )
+
     def closed(self, rounds: int = 50) -> FormFactors:
         """Scaled symmetrically so that each row sums to 1: for scenes that are closed.  S_ij becomes c_i c_j S_ij."""
         area, S = self.patches.area, self.S.astype(np.float64)
@@ -64,6 +100,11 @@ class FormFactors:
         for _ in range(rounds):
             c = np.sqrt(c * area / np.maximum(S @ c, 1e-300))
         return FormFactors(self.patches, (c[:, None] * S * c).astype(np.float32), self.method, self.seconds)
+
+
+def negligible(patches: Patches, B: Float) -> float:
+    """The irradiance below which a contribution to a point is left out."""
+    return NEGLIGIBLE * float(np.average(B.max(axis=1), weights=patches.area))
 
 
 def memory_needed(n: int) -> int:
@@ -84,10 +125,11 @@ def compute(
     interrupted, and from which they are taken if it is there.  Raises SceneError for another method, or if the matrix
     would not fit.
     """
-    if method not in METHODS:
-        raise SceneError(f"the methods for form factors are {', '.join(METHODS)}, not {method!r}")
+    if method not in METHODS or method == "hierarchical":
+        matrices = ", ".join(name for name in METHODS if name != "hierarchical")
+        raise SceneError(f"the methods for form factors are {matrices}, not {method!r}")
     n = len(patches)
-    allowed = limit if limit is not None else _memory() // 2
+    allowed = limit if limit is not None else memory_of_machine() // 2
     if memory_needed(n) > allowed:
         raise SceneError(
             f"{n} patches need {memory_needed(n) / 2**30:.1f} GiB for their form factors, and there are"
@@ -107,7 +149,7 @@ def compute(
     return FormFactors(patches, S, method, {"form factors": time.perf_counter() - start}, error)
 
 
-def _memory() -> int:
+def memory_of_machine() -> int:
     """Bytes of the machine."""
     try:
         return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
@@ -154,8 +196,6 @@ def _by_pairs(
 
 
 def _hide(visibility: Any, patches: Patches, block: NDArray[np.float32], first: int) -> None:
-    if visibility.bodies is not None and not len(visibility.bodies.counts):
-        return  # nothing can stand in between
     rows, columns = np.nonzero(block[:, first:])
     pairs = np.stack([rows + first, columns + first], axis=1)
     shares = visibility.fractions(

@@ -309,33 +309,44 @@ def rows(
             )  # fmt: skip
 
 
+@jit
+def at_point(point: Any, way: Any, ring: Any, count: int, normal: Any, work: Any) -> float:
+    """Form factor from a point with normal ``way`` to the part of a polygon that is in front of it."""
+    if _dot(normal, point) - _dot(normal, ring[0]) <= 0.0:
+        return 0.0
+    at = _dot(way, point)
+    above = below = False
+    for k in range(count):
+        d = _dot(way, ring[k]) - at
+        above |= d > 0.0
+        below |= d < 0.0
+    if not above:
+        return 0.0
+    if not below:
+        return float(lambert(point, way, ring, count))
+    kept = clip(ring, count, way, at, work)
+    return float(lambert(point, way, work, kept)) if kept > 2 else 0.0
+
+
+@jit
+def too_far(point: Any, center: Any, size: float, least: float) -> bool:
+    """Whether the form factor from a point to a polygon of diameter ``size`` must be below ``least``: A / (pi r^2),
+    with the largest area and the smallest distance that it may have."""
+    x, y, z = center[0] - point[0], center[1] - point[1], center[2] - point[2]
+    r = np.sqrt(x * x + y * y + z * z) - size / 2.0
+    return bool(least >= 1.0 or (r > 0.0 and size * size / 2.0 < least * np.pi * r * r))
+
+
 @parallel
-def gather(
-    points: Any, ways: Any, rings: Any, counts: Any, normals: Any, least: Any, first: int, last: int, out: Any
-) -> None:
-    """Form factors from points first..last with normals ``ways`` to all patches: out (last - first, n).
+def gather(points: Any, ways: Any, rings: Any, counts: Any, normals: Any, centers: Any, sizes: Any, least: Any,
+           out: Any) -> None:  # fmt: skip
+    """Form factors from k points with normals ``ways`` to all n patches: out (k, n).
 
     Those below ``least`` (n,) are left at 0.
     """
-    for r in nb.prange(last - first):
-        v = first + r
-        clipped = np.empty((MOST_CORNERS, 3))
-        at = _dot(ways[v], points[v])
+    for r in nb.prange(len(points)):
+        work = np.empty((MOST_CORNERS, 3))
         for j in range(len(rings)):
-            out[r, j] = 0.0
-            if _dot(normals[j], points[v]) - _dot(normals[j], rings[j, 0]) <= 0.0:
-                continue
-            above = below = False
-            for k in range(counts[j]):
-                d = _dot(ways[v], rings[j, k]) - at
-                above |= d > 0.0
-                below |= d < 0.0
-            if not above:
-                continue
-            if below:
-                count = clip(rings[j], counts[j], ways[v], at, clipped)
-                value = lambert(points[v], ways[v], clipped, count) if count > 2 else 0.0
-            else:
-                value = lambert(points[v], ways[v], rings[j], counts[j])
-            if value > least[j]:
-                out[r, j] = value
+            if not too_far(points[r], centers[j], sizes[j], least[j]):
+                value = at_point(points[r], ways[r], rings[j], counts[j], normals[j], work)
+                out[r, j] = value if value > least[j] else 0.0

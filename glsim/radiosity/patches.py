@@ -107,15 +107,16 @@ def subdivide(scene: Scene, count: int = 2000, length: float | None = None) -> P
 
 def length_for(scene: Scene, count: int) -> float:
     """The length at which the grids have about ``count`` cells."""
-
-    def cells(length: float) -> int:
-        return sum(_number_of_cells(ring, length) for ring in scene.rings)
-
     short, long = 1e-4 * scene.size, 2.0 * scene.size
     for _ in range(40):
         middle = (short * long) ** 0.5
-        short, long = (short, middle) if cells(middle) <= count else (middle, long)
+        short, long = (short, middle) if number_of_cells(scene, middle) <= count else (middle, long)
     return long
+
+
+def number_of_cells(scene: Scene, length: float) -> int:
+    """Of all grids, before they are cut."""
+    return sum(_number_of_cells(ring, length) for ring in scene.rings)
 
 
 def _steps(ring: Float, length: float) -> tuple[int, int]:

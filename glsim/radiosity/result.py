@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import os
-import time
-from collections.abc import Callable
 from dataclasses import dataclass, field
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
-from glsim.radiosity.bake import GAMMA, automatic_white, averaged, gathered, toned
-from glsim.radiosity.formfactors import FormFactors, compute
-from glsim.radiosity.mesh import Mesh, mesh_of
-from glsim.radiosity.patches import Patches, subdivide
+from glsim.radiosity.bake import GAMMA, automatic_white, gathered, toned
+from glsim.radiosity.formfactors import FormFactors
+from glsim.radiosity.mesh import Mesh
+from glsim.radiosity.patches import Patches
 from glsim.radiosity.scene import Scene, SceneError, View
-from glsim.radiosity.solvers import Step, solved
+from glsim.radiosity.solvers import Factors, Step
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -27,7 +24,6 @@ if TYPE_CHECKING:
     from glsim.render.context import Offscreen
 
 Float = NDArray[np.float64]
-Progress = Callable[[str, int, int], object]
 
 
 @dataclass(frozen=True)
@@ -40,7 +36,7 @@ class Radiosity:
     """
 
     patches: Patches
-    factors: FormFactors
+    factors: Factors
     steps: list[Step]
     B: Float
     mesh: Mesh
@@ -56,17 +52,14 @@ class Radiosity:
     def report(self) -> dict[str, Any]:
         """What a teacher asks: how many patches, how good, how long."""
         sums = self.factors.row_sums
-        S, error = self.factors.S, np.abs(sums - 1.0)
-        apart = max(
-            (float(np.abs(S[k : k + 512] - S[:, k : k + 512].T).max()) for k in range(0, len(S), 512)), default=0.0
-        )
+        error = np.abs(sums - 1.0)
         last = self.steps[-1]
         return {
             "scene": self.patches.scene.name, "n": len(self.patches), "method": self.factors.method,
             "solver": self.solver, "iterations": last.iteration, "residual": last.residual,
             "row_sum_error_mean": float(error.mean()), "row_sum_error_max": float(error.max()),
             "leak": float(1.0 - (sums * self.patches.area).sum() / self.patches.area.sum()),
-            "reciprocity": apart, "energy_balance": last.balance, "vertices": len(self.mesh.vertices),
+            "reciprocity": self.factors.asymmetry, "energy_balance": last.balance, "vertices": len(self.mesh.vertices),
             "triangles": len(self.mesh.triangles), "notes": list(self.patches.scene.notes),
             "seconds": {name: round(value, 4) for name, value in self.seconds.items()},
         }  # fmt: skip
@@ -117,7 +110,7 @@ class Radiosity:
 
     def direct(self) -> Float:
         """Radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
-        return gathered(self.patches, self.mesh, self.patches.E)
+        return gathered(self.factors, self.mesh, self.patches.E)
 
     def beside_direct(self, size: int = 512, view: int | View = 0) -> Image.Image:
         """Direct illumination and radiosity from the same camera, side by side, with the same white."""
@@ -157,9 +150,11 @@ class Radiosity:
         return convergence({self.solver: self.steps})
 
     def matrix_picture(self, size: int = 640) -> Image.Image:
-        """The matrix of form factors, logarithmic."""
+        """The matrix of form factors, logarithmic.  Raises SceneError if there is none (hierarchical)."""
         from glsim.radiosity.plots import matrix
 
+        if not isinstance(self.factors, FormFactors):
+            raise SceneError(f"{self.factors.method} form factors are no matrix that could be shown")
         return matrix(self.factors.F, size)
 
     def _repr_png_(self) -> bytes | None:
@@ -222,58 +217,3 @@ def look(view: View, scene: Scene) -> None:
     gl.glMatrixMode(gl.GL_MODELVIEW)
     gl.glLoadIdentity()
     gluLookAt(*view.eye, *view.target, *view.up)
-
-
-def _check_packages() -> None:
-    for name in ("numba", "embreex"):
-        if find_spec(name) is None:
-            raise SceneError(f"radiosity needs the package {name}: pip install glsim[radiosity]")
-
-
-def solve(
-    what: Any, patches: int = 2000, *, method: str = "contour", solver: str = "gauss-seidel", tolerance: float = 1e-6,
-    vertices: str = "gather", flip: bool = False, close: bool = False, threads: int | None = None,
-    checkpoint: str | None = None, progress: Progress | None = None,
-    on_step: Callable[[Step], object] | None = None,
-) -> Radiosity:  # fmt: skip
-    """Radiosity of a scene.
-
-    what: whatever load.scene_from takes.  patches: about how many.  method: of form factors, see formfactors.METHODS.
-    solver: see solvers.SOLVERS.  vertices: "gather" (a final gather at each vertex) or "average" (of patches).  close:
-    scale the form factors so that rows sum to 1, for closed scenes.  flip: turn all fronts
-    to the other side.  Raises SceneError.
-    """
-    from glsim.radiosity.load import scene_from
-
-    _check_packages()
-    if vertices not in ("gather", "average"):
-        raise SceneError(f'vertices must be "gather" or "average", not {vertices!r}')
-    tell = progress or (lambda stage, done, of: None)
-    seconds: dict[str, float] = {}
-
-    def timed(stage: str, start: float) -> None:
-        seconds[stage] = time.perf_counter() - start
-
-    start = time.perf_counter()
-    tell("patches", 0, 1)
-    scene = scene_from(what)
-    parts = subdivide((scene.flipped() if flip else scene).checked(), patches)
-    timed("patches", start)
-    factors = compute(parts, method, threads=threads, progress=tell, checkpoint=checkpoint)
-    if float(factors.row_sums @ parts.area) < 1e-3 * float(parts.area.sum()):
-        raise SceneError(
-            f"{parts.scene.name}: no patch sees another: are the normals inverted? A room shows its fronts inside;"
-            " --flip turns them"
-        )
-    if close:
-        factors = factors.closed()
-    seconds.update(factors.seconds)
-    start = time.perf_counter()
-    steps = solved(factors, solver, tolerance=tolerance, progress=on_step)
-    timed("solving", start)
-    B = steps[-1].B
-    start = time.perf_counter()
-    mesh = mesh_of(parts)
-    at_vertices = gathered(parts, mesh, B, tell) if vertices == "gather" else averaged(parts, mesh, B)
-    timed("vertices", start)
-    return Radiosity(parts, factors, steps, B, mesh, at_vertices, solver, seconds)

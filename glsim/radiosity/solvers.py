@@ -8,15 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.formfactors import FormFactors
+from glsim.radiosity.patches import Patches
 from glsim.radiosity.scene import SceneError
 
+if TYPE_CHECKING:
+    from glsim.radiosity.visibility import Visibility
+
 Float = NDArray[np.float64]
+Int = NDArray[np.int64]
 
 
 class Step(NamedTuple):
@@ -29,27 +34,62 @@ class Step(NamedTuple):
     balance: float
 
 
+class Factors(Protocol):
+    """What a system needs to know of form factors: the matrix, or links that stand for it."""
+
+    @property
+    def patches(self) -> Patches: ...
+
+    @property
+    def method(self) -> str: ...
+
+    @property
+    def seconds(self) -> dict[str, float]: ...
+
+    @property
+    def row_sums(self) -> Float: ...
+
+    @property
+    def asymmetry(self) -> float: ...
+
+    def row(self, i: int) -> Float: ...
+
+    def times(self, B: Float) -> Float: ...
+
+    def at_points(self, visibility: Visibility, points: Float, ways: Float, patch: Int, B: Float) -> Float: ...
+
+
 @dataclass(frozen=True)
 class System:
-    """S: (n, n) symmetric, area: (n,), rho, E: (n, 3)."""
+    """times: S B for B (n, 3); area: (n,); rho, E: (n, 3); S: (n, n) symmetric, if there is a matrix."""
 
-    S: NDArray[np.float32]
+    times: Callable[[Float], Float]
     area: Float
     rho: Float
     E: Float
+    S: NDArray[np.float32] | None = None
 
     @staticmethod
-    def of(factors: FormFactors) -> System:
+    def of(factors: Factors) -> System:
         patches = factors.patches
-        return System(factors.S, patches.area, patches.rho, patches.E)
+        return System(
+            factors.times, patches.area, patches.rho, patches.E, factors.S if isinstance(factors, FormFactors) else None
+        )
 
     def gathered(self, B: Float) -> Float:
         """Irradiance: sum_j F_ij B_j for each patch, (n, 3)."""
-        return _product(self.S, B) / self.area[:, None]
+        return self.times(B) / self.area[:, None]
+
+    @property
+    def rows(self) -> NDArray[np.float32]:
+        """S.  Raises SceneError if there are only links."""
+        if self.S is None:
+            raise SceneError(f"there is no matrix for this solver: choose {' or '.join(WITHOUT_MATRIX)} (--solver)")
+        return self.S
 
     def matrix(self, channel: int) -> Float:
         """I - R F for one channel, (n, n) float64."""
-        result = -(self.rho[:, channel] / self.area)[:, None] * self.S.astype(np.float64)
+        result = -(self.rho[:, channel] / self.area)[:, None] * self.rows.astype(np.float64)
         result[np.diag_indices(len(result))] += 1.0
         return np.asarray(result)
 
@@ -63,15 +103,6 @@ class System:
         return Step(iteration, B, float(used.max(initial=0.0)), lost / emitted if emitted else 1.0)
 
 
-def _product(S: NDArray[np.float32], B: Float) -> Float:
-    """S @ B, summed in float64."""
-    from glsim.radiosity.sweep import product
-
-    result = np.empty((len(S), 3))
-    product(S, np.ascontiguousarray(B), result)
-    return result
-
-
 def lu(system: System) -> Iterator[Step]:
     """Direct: LU factorisation of each channel's matrix."""
     from scipy.linalg import lu_factor, lu_solve
@@ -83,7 +114,7 @@ def lu(system: System) -> Iterator[Step]:
 
 
 def _exact(system: System, B: Float) -> Float:
-    return np.asarray(system.S.astype(np.float64) @ B / system.area[:, None])
+    return np.asarray(system.rows.astype(np.float64) @ B / system.area[:, None])
 
 
 def jacobi(system: System) -> Iterator[Step]:
@@ -113,7 +144,7 @@ def gauss_seidel(system: System, omega: float = 1.0) -> Iterator[Step]:
 def _sweep(system: System, B: Float, omega: float) -> None:
     from glsim.radiosity.sweep import sweep
 
-    sweep(system.S, system.area, system.rho, system.E, B, omega)
+    sweep(system.rows, system.area, system.rho, system.E, B, omega)
 
 
 def sor(system: System) -> Iterator[Step]:
@@ -150,7 +181,7 @@ class _Gradient:
         self.rz = float(self.r @ self.z)
 
     def _times(self, x: Float) -> Float:
-        return np.asarray(self.diagonal * x - _product(self.system.S, np.stack([x, x, x], axis=1))[:, 0])
+        return np.asarray(self.diagonal * x - self.system.times(np.stack([x, x, x], axis=1))[:, 0])
 
     def advance(self) -> Float:
         if self.rz > 0.0:
@@ -182,7 +213,7 @@ def shooting(system: System, ambient: bool = False, many: int | None = None) -> 
         yield system.step(iteration, shown.copy())
         for _ in range(shots):
             i = int(np.argmax(system.area * unshot.sum(axis=1)))
-            column = system.S[i].astype(np.float64) / system.area  # F_ji = S_ij / A_j
+            column = system.rows[i].astype(np.float64) / system.area  # F_ji = S_ij / A_j
             received = system.rho * column[:, None] * unshot[i]
             unshot[i] = 0.0
             B += received
@@ -194,10 +225,11 @@ SOLVERS: dict[str, Callable[[System], Iterator[Step]]] = {
     "gauss-seidel": gauss_seidel, "jacobi": jacobi, "sor": sor, "cg": conjugate_gradients, "shooting": shooting,
     "lu": lu,
 }  # fmt: skip
+WITHOUT_MATRIX = ("jacobi", "cg")  # solvers that only multiply by it
 
 
 def solved(
-    factors: FormFactors, solver: str = "gauss-seidel", *, tolerance: float = 1e-6, most: int = 1000,
+    factors: Factors, solver: str = "gauss-seidel", *, tolerance: float = 1e-6, most: int = 1000,
     progress: Callable[[Step], object] | None = None,
 ) -> list[Step]:  # fmt: skip
     """All steps up to the one whose residual is at most ``tolerance``; only the last keeps its own B.

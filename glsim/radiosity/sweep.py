@@ -1,12 +1,13 @@
-"""The inner loops of the solvers, compiled; S is float32, sums are float64."""
+"""The inner loops of the solvers and of links, compiled; S is float32, sums are float64."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import numba as nb
+import numpy as np
 
-from glsim.radiosity.kernels import jit, parallel
+from glsim.radiosity.kernels import MOST_CORNERS, _dot, at_point, clip, jit, lambert, pair, parallel, too_far
 
 
 @jit
@@ -37,3 +38,75 @@ def product(S: Any, B: Any, out: Any) -> None:
             g += s * B[j, 1]
             b += s * B[j, 2]
         out[i, 0], out[i, 1], out[i, 2] = r, g, b
+
+
+@jit
+def along_links(ends: Any, S: Any, B: Any, out: Any) -> None:
+    """out_p += S_pq B_q and out_q += S_pq B_p for each link; B, out: (N, 3)."""
+    for k in range(len(S)):
+        p, q, s = ends[k, 0], ends[k, 1], S[k]
+        for c in range(3):
+            out[p, c] += s * B[q, c]
+            out[q, c] += s * B[p, c]
+
+
+@parallel
+def link_factors(
+    rings: Any, counts: Any, normals: Any, centers: Any, sizes: Any, child: Any, pairs: Any, S: Any, spread: Any
+) -> None:
+    """S (k,) of pairs of nodes (k, 2), nothing in between, and how much the form factor differs between the middles of
+    each node's parts, (k, 2): half the difference of the largest and the smallest; 0 for an element."""
+    for row in nb.prange(len(pairs)):
+        p, q = pairs[row, 0], pairs[row, 1]
+        work_1, work_2 = np.empty((MOST_CORNERS, 3)), np.empty((MOST_CORNERS, 3))
+        S[row] = pair(
+            rings[p], counts[p], normals[p], rings[q], counts[q], normals[q], centers[p], centers[q], sizes[p],
+            sizes[q], False, work_1, work_2,
+        )  # fmt: skip
+        spread[row, 0] = spread[row, 1] = 0.0
+        if S[row] > 0.0:
+            spread[row, 0] = _spread(centers, normals[p], child[p], rings[q], counts[q], work_1)
+            spread[row, 1] = _spread(centers, normals[q], child[q], rings[p], counts[p], work_1)
+
+
+@jit
+def _spread(centers: Any, normal: Any, child: int, ring: Any, count: int, work: Any) -> float:
+    if child < 0:
+        return 0.0
+    low, high = 1e300, 0.0
+    kept = clip(ring, count, normal, _dot(normal, centers[child]), work)
+    for k in range(4):
+        value = max(lambert(centers[child + k], normal, work, kept), 0.0) if kept > 2 else 0.0
+        low, high = min(low, value), max(high, value)
+    return float(high - low) / 2.0
+
+
+@jit
+def links_at(
+    points: Any, ways: Any, node: Any, parent: Any, starts: Any, others: Any, rings: Any, counts: Any, normals: Any,
+    centers: Any, sizes: Any, least: Any,
+) -> Any:  # fmt: skip
+    """Form factors from points on leaves ``node`` to what is linked to these or to what they are part of, if more than
+    ``least``: numbers of points, nodes, factors."""
+    most = 0
+    for v in range(len(points)):
+        p = node[v]
+        while p >= 0:
+            most += starts[p + 1] - starts[p]
+            p = parent[p]
+    rows, columns, factors = np.empty(most, np.int64), np.empty(most, np.int64), np.empty(most)
+    kept = 0
+    work = np.empty((MOST_CORNERS, 3))
+    for v in range(len(points)):
+        p = node[v]
+        while p >= 0:
+            for k in range(starts[p], starts[p + 1]):
+                q = others[k]
+                if too_far(points[v], centers[q], sizes[q], least[q]):
+                    continue
+                value = at_point(points[v], ways[v], rings[q], counts[q], normals[q], work)
+                if value > least[q]:
+                    rows[kept], columns[kept], factors[kept] = v, q, value
+                    kept += 1
+            p = parent[p]
+    return rows[:kept], columns[:kept], factors[:kept]

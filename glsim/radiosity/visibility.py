@@ -24,6 +24,7 @@ Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 FIRST, MORE = 16, 48  # rays of a pair
 POINT_RAYS = 8  # from a vertex to a patch, before MORE
+FEW_RAYS = 2  # from a vertex to a patch that sends little
 CHUNK = 1 << 12  # pairs at a time, in each thread
 SHORTEN = 1e-4  # of a ray, at both ends, so that it does not meet the patches themselves
 
@@ -322,18 +323,26 @@ class Visibility:
 
     def fractions(self, rings: Float, counts: Int, normals: Float, centers: Float, radii: Float, pairs: Int) -> Float:
         """The share of the form factor of each pair (k, 2) that is not blocked, (k,) in [0, 1]."""
+        return self.asked(rings, counts, normals, centers, radii, pairs)[0]
+
+    def asked(
+        self, rings: Float, counts: Int, normals: Float, centers: Float, radii: Float, pairs: Int
+    ) -> tuple[Float, Int]:
+        """The same, and the numbers of the pairs for which rays were needed: of the others the share is certain."""
         result, asked = self._judged(centers, radii, pairs)
         chunks = [asked[k : k + CHUNK] for k in range(0, len(asked), CHUNK)]
         work = self.pool.map(lambda chunk: self._chunk(rings, counts, normals, pairs[chunk]), chunks)
         for chunk, values in zip(chunks, work, strict=True):
             result[chunk] = values
-        return result
+        return result, asked
 
     def _judged(self, centers: Float, radii: Float, pairs: Int) -> tuple[Float, Int]:
         """The share of each pair that is seen, as far as the bodies tell, and which pairs need rays."""
         bodies = self.bodies
         if bodies is None:
             return np.ones(len(pairs)), np.arange(len(pairs))
+        if not len(bodies.counts):  # nothing can stand in between
+            return np.ones(len(pairs)), np.arange(0)
         verdict = np.empty(len(pairs), np.uint8)
         parts = [slice(k, k + CHUNK) for k in range(0, len(pairs), CHUNK)]
         list(
@@ -343,27 +352,32 @@ class Visibility:
         )
         return (verdict != HIDDEN).astype(np.float64), np.flatnonzero(verdict == ASK)
 
-    def from_points(self, points: Float, ways: Float, patches: Patches, rows: Int, columns: Int) -> Float:
-        """The share of the form factor from points[rows], with normals ``ways``, to patches[columns] that is seen."""
+    def from_points(
+        self, points: Float, ways: Float, patches: Patches, rows: Int, columns: Int, dim: NDArray[np.bool_]
+    ) -> Float:
+        """The share of the form factor from points[rows], with normals ``ways``, to patches[columns] that is seen.
+        Those from which little light comes (``dim``) get fewer rays."""
         centers = np.concatenate([points, patches.center])
         radii = np.concatenate([np.zeros(len(points)), patches.size / 2.0])
         result, asked = self._judged(centers, radii, np.stack([rows, columns + len(points)], axis=1))
-        chunks = [asked[k : k + CHUNK] for k in range(0, len(asked), CHUNK)]
+        few, many = asked[dim[asked]], asked[~dim[asked]]
+        work = [(few[k : k + CHUNK], FEW_RAYS, 0) for k in range(0, len(few), CHUNK)]
+        work += [(many[k : k + CHUNK], POINT_RAYS, MORE) for k in range(0, len(many), CHUNK)]
 
-        def one(chunk: Int) -> Float:
+        def one(chunk: Int, count: int, more: int) -> Float:
             seen, total = np.zeros(len(chunk)), np.zeros(len(chunk))
             arrays = (points, ways, rows[chunk], patches.rings, patches.counts, patches.normal, columns[chunk])
-            self._send(arrays, 0, POINT_RAYS, seen, total)
+            self._send(arrays, 0, count, seen, total)
             mixed = np.flatnonzero((seen > 0.0) & (seen < total))
-            if len(mixed):
+            if more and len(mixed):
                 arrays = (*arrays[:2], rows[chunk[mixed]], *arrays[3:6], columns[chunk[mixed]])
-                more, of = np.zeros(len(mixed)), np.zeros(len(mixed))
-                self._send(arrays, POINT_RAYS, MORE, more, of)
-                seen[mixed] += more
-                total[mixed] += of
+                seen_more, total_more = np.zeros(len(mixed)), np.zeros(len(mixed))
+                self._send(arrays, count, more, seen_more, total_more)
+                seen[mixed] += seen_more
+                total[mixed] += total_more
             return np.divide(seen, total, out=np.zeros_like(seen), where=total > 0.0)
 
-        for chunk, values in zip(chunks, self.pool.map(one, chunks), strict=True):
+        for (chunk, _, _), values in zip(work, self.pool.map(lambda task: one(*task), work), strict=True):
             result[chunk] = values
         return result
 

@@ -83,7 +83,7 @@ def main() -> None:
         steps = solved(factors)
         middle = time.perf_counter()
         mesh = mesh_of(parts)
-        gathered(parts, mesh, steps[-1].B)
+        gathered(factors, mesh, steps[-1].B)
         end = time.perf_counter()
         memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**10
         vertices = f"{len(mesh.vertices)} vertices {end - middle:.2f} s"

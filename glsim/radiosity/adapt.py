@@ -1,0 +1,46 @@
+"""More patches where the light changes fast: at the borders of shadows, and near contacts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.radiosity.bake import gathered
+from glsim.radiosity.mesh import mesh_of, outline
+from glsim.radiosity.patches import Patches
+from glsim.radiosity.quadtree import divided
+from glsim.radiosity.solvers import Factors, solved
+from glsim.radiosity.visibility import Visibility
+
+Float = NDArray[np.float64]
+ROUNDS = 8  # at most
+
+
+def refined(patches: Patches, count: int, factors_of: Callable[[Patches], Factors]) -> Patches:
+    """Patches divided, those first whose interpolated radiosity is most wrong, until there are about ``count``; their
+    number at most doubles between two solutions."""
+    for _ in range(ROUNDS):
+        wanted = min(count, 2 * len(patches)) - len(patches)
+        if wanted < 3:
+            break
+        wrong = interpolation_error(factors_of(patches)) * patches.area
+        worst = np.argsort(-wrong)[: max(1, wanted // 4)]  # the balance of the quadtree divides some more
+        chosen = np.zeros(len(patches), bool)
+        chosen[worst[wrong[worst] > 0.0]] = True
+        if not chosen.any():
+            break
+        patches = divided(patches, chosen)
+    return patches
+
+
+def interpolation_error(factors: Factors) -> Float:
+    """(n,): how far, at the middle of each patch, the radiosity gathered there is from the one between its corners."""
+    patches = factors.patches
+    B = solved(factors, tolerance=1e-4)[-1].B
+    at_corners = gathered(factors, mesh_of(patches), B)[outline(patches).corners]
+    between = np.where((patches.counts == 4)[:, None], at_corners.mean(axis=1), at_corners[:, :3].mean(axis=1))
+    points = patches.center + 1e-6 * patches.scene.size * patches.normal
+    H = factors.at_points(Visibility(patches.scene), points, patches.normal, np.arange(len(patches)), B)
+    return np.asarray(np.abs(patches.E + patches.rho * H - between).max(axis=1))

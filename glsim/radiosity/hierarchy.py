@@ -1,0 +1,280 @@
+"""Hierarchical radiosity: far parts of the scene exchange light as wholes, near ones in detail.
+
+Each patch is the root of a quadtree whose leaves are the elements.  A link joins two nodes that see each other, on
+whatever levels the light between them is even enough; n elements need about n links, not n^2 form factors.  Sources:
+Hanrahan, Salzman and Aupperle, A rapid hierarchical radiosity algorithm (1991); Cohen & Wallace (1993), chapter 7.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.radiosity.formfactors import DIM, compute, memory_of_machine, negligible
+from glsim.radiosity.patches import Patches, length_for, number_of_cells, patches_from, subdivide
+from glsim.radiosity.quadtree import quarters
+from glsim.radiosity.scene import Scene, SceneError
+from glsim.radiosity.solvers import solved
+from glsim.radiosity.visibility import FIRST, Visibility
+
+Float = NDArray[np.float64]
+Int = NDArray[np.int64]
+Progress = Callable[[str, int, int], object]
+ROOTS = 1600  # about how many patches there are at most before they are divided
+DEEPEST = 6  # levels below a root
+BLOCK = 1 << 19  # pairs at a time
+ACCURACY = 5e-5  # how uneven, in mean radiosities, the light of one link may be
+VARIES = 0.1  # by so much, it is assumed, the radiosity of a node's parts differs
+
+
+@dataclass(frozen=True)
+class Tree:
+    """Quadtrees over patches.
+
+    nodes: all of them, level by level, the roots first; parent: (N,), -1 for roots; child: (N,) the first of four that
+    follow each other, -1 for leaves; levels: where each level begins, and the end.
+    """
+
+    nodes: Patches
+    parent: Int
+    child: Int
+    levels: tuple[int, ...]
+
+    @cached_property
+    def leaves(self) -> Int:
+        """(n,): the node of each element."""
+        return np.flatnonzero(self.child < 0)
+
+    def pulled(self, B: Float) -> Float:
+        """Radiosity of all nodes (N, 3) from that of the elements (n, 3): means by area."""
+        nodes, result = self.nodes, np.zeros((len(self.nodes), 3))
+        result[self.leaves] = B * nodes.area[self.leaves, None]
+        for low, high in reversed(list(zip(self.levels[:-1], self.levels[1:], strict=True))):
+            inner = low + np.flatnonzero(self.child[low:high] >= 0)
+            result[inner] = result[self.child[inner, None] + np.arange(4)].sum(axis=1)
+        return np.asarray(result / nodes.area[:, None])
+
+    def pushed(self, H: Float) -> Float:
+        """Irradiance of the elements (n, 3): what arrives at each node arrives at all below it."""
+        H = H.copy()
+        for low, high in zip(self.levels[1:-1], self.levels[2:], strict=True):
+            H[low:high] += H[self.parent[low:high]]
+        return np.asarray(H[self.leaves])
+
+
+def tree_over(roots: Patches, length: float) -> Tree:
+    """Patches divided until their edges are about ``length``."""
+    edges = np.sqrt(roots.area * np.where(roots.counts == 4, 1.0, 2.0))
+    depth = np.clip(np.round(np.log2(np.maximum(edges / length, 1e-9))), 0, DEEPEST).astype(np.int64)
+    rings, counts, polygon = [roots.rings], [roots.counts], [roots.polygon]
+    parent, child, levels = [np.full(len(roots), -1)], [np.full(len(roots), -1)], [0, len(roots)]
+    while (inner := np.flatnonzero(depth > 0)).size:
+        child[-1][inner] = levels[-1] + 4 * np.arange(len(inner))
+        parent.append(np.repeat(levels[-2] + inner, 4))
+        depth = np.repeat(depth[inner] - 1, 4)
+        child.append(np.full(len(depth), -1))
+        rings.append(quarters(rings[-1][inner], counts[-1][inner]).reshape(-1, 4, 3))
+        counts.append(np.repeat(counts[-1][inner], 4))
+        polygon.append(np.repeat(polygon[-1][inner], 4))
+        levels.append(levels[-1] + len(depth))
+    level = np.repeat(np.arange(len(rings)), [len(part) for part in rings])
+    whole = np.concatenate(rings), np.concatenate(counts), np.concatenate(polygon)
+    nodes = patches_from(roots.scene, *whole, level)
+    return Tree(nodes, np.concatenate(parent), np.concatenate(child), tuple(levels))
+
+
+def tree_of(scene: Scene, count: int) -> Tree:
+    """About ``count`` elements over as few roots as the scene's polygons need, or ROOTS."""
+    length = length_for(scene, count)
+    fewest = max(ROOTS, 2 * number_of_cells(scene, scene.size))
+    depth = 0
+    while depth < DEEPEST and number_of_cells(scene, length * 2.0**depth) > fewest:
+        depth += 1
+    return tree_over(subdivide(scene, length=length * 2.0**depth), length)
+
+
+@dataclass(frozen=True)
+class Links:
+    """ends: (k, 2) nodes; S: (k,) float32, A_p F_pq = A_q F_qp.  patches: the elements.  seconds: by stage."""
+
+    tree: Tree
+    ends: NDArray[np.int32]
+    S: NDArray[np.float32]
+    seconds: dict[str, float] = field(default_factory=dict)
+    method: str = "hierarchical"
+
+    @cached_property
+    def patches(self) -> Patches:
+        nodes, leaves = self.tree.nodes, self.tree.leaves
+        return patches_from(
+            nodes.scene, nodes.rings[leaves], nodes.counts[leaves], nodes.polygon[leaves], nodes.level[leaves]
+        )
+
+    def times(self, B: Float) -> Float:
+        """S B for the elements: pull, gather along the links, push."""
+        from glsim.radiosity.sweep import along_links
+
+        arriving = np.zeros((len(self.tree.nodes), 3))
+        along_links(self.ends, self.S, self.tree.pulled(B), arriving)
+        return self.tree.pushed(arriving / self.tree.nodes.area[:, None]) * self.patches.area[:, None]
+
+    @property
+    def row_sums(self) -> Float:
+        """(n,): 1 in a closed scene, less where light escapes."""
+        return np.asarray(self.times(np.ones((len(self.patches), 3)))[:, 0] / self.patches.area)
+
+    def row(self, i: int) -> Float:
+        """F[i, :], (n,), for one element."""
+        nodes, values = self.tree.nodes, np.zeros(len(self.tree.nodes))
+        node = int(self.tree.leaves[i])
+        while node >= 0:
+            for one, other in ((0, 1), (1, 0)):
+                mine = self.ends[:, one] == node
+                np.add.at(values, self.ends[mine, other], self.S[mine] / nodes.area[node])
+            node = int(self.tree.parent[node])
+        shares = np.repeat((values / nodes.area)[:, None], 3, axis=1)
+        return self.tree.pushed(shares)[:, 0] * self.patches.area
+
+    def at_points(self, visibility: Visibility, points: Float, ways: Float, patch: Int, B: Float) -> Float:
+        """Irradiance (k, 3) at points with normals ``ways`` on the elements ``patch``: from all nodes linked to the
+        element or to what it is part of, each with its own form factor at the point."""
+        from scipy.sparse import csr_matrix
+
+        from glsim.radiosity.sweep import links_at
+
+        nodes, bright = self.tree.nodes, self.tree.pulled(B)
+        least = negligible(self.patches, B) / np.maximum(bright.max(axis=1), 1e-300)
+        starts, others = self.by_node
+
+        def found(part: Int) -> tuple[Int, Int, Float]:
+            at = (points[part], ways[part], self.tree.leaves[patch[part]])
+            of = (nodes.rings, nodes.counts, nodes.normal, nodes.center, nodes.size, least)
+            rows, columns, factors = links_at(*at, self.tree.parent, starts, others, *of)
+            return part[rows], columns, factors
+
+        parts = np.array_split(np.arange(len(points)), 8)
+        rows, columns, factors = map(np.concatenate, zip(*visibility.pool.map(found, parts), strict=True))
+        dim = factors < DIM * least[columns]
+        factors *= visibility.from_points(points, ways, nodes, rows, columns, dim)
+        begin = np.searchsorted(rows, np.arange(len(points) + 1))
+        return np.asarray(csr_matrix((factors, columns, begin), (len(points), len(nodes))) @ bright)
+
+    @property
+    def asymmetry(self) -> float:
+        """0: each link is used in both directions."""
+        return 0.0
+
+    @cached_property
+    def by_node(self) -> tuple[Int, NDArray[np.int32]]:
+        """Where each node's links begin (N + 1,), and the nodes at their other ends (2 k,)."""
+        one = self.ends.T.ravel()
+        order = np.argsort(one, kind="stable")
+        starts = np.searchsorted(one[order], np.arange(len(self.tree.nodes) + 1))
+        return starts, self.ends[:, ::-1].T.ravel()[order]
+
+
+def linked(tree: Tree, accuracy: float = ACCURACY, threads: int | None = None, progress: Progress | None = None,
+           limit: int | None = None) -> Links:  # fmt: skip
+    """The links of a tree, each refined until the light along it is even to ``accuracy`` mean radiosities or its ends
+    are elements.  How bright the nodes are is known from a solution for the roots alone.
+
+    Raises SceneError if the roots' form factors, or the links, would not fit into ``limit`` bytes (by default half of
+    the machine's memory).
+    """
+    tell = progress or (lambda stage, done, of: None)
+    nodes, count = tree.nodes, tree.levels[1]
+    roots = patches_from(nodes.scene, nodes.rings[:count], nodes.counts[:count], nodes.polygon[:count])
+    coarse = compute(
+        roots, threads=threads, limit=limit, progress=lambda _, done, of: tell("coarse solution", done, of)
+    )
+    B = solved(coarse, tolerance=1e-3)[-1].B
+    start = time.perf_counter()
+    mean = float(np.average(B.mean(axis=1), weights=roots.area))
+    refiner = _Refiner(tree, B, accuracy * mean, Visibility(nodes.scene, threads))
+    first, second = np.triu_indices(count, 1)
+    stack = [np.stack([first[k : k + BLOCK], second[k : k + BLOCK]], axis=1) for k in range(0, len(first), BLOCK)][::-1]
+    pairs = len(stack)
+    allowed = limit if limit is not None else memory_of_machine() // 2
+    while stack:
+        stack += refiner.step(stack.pop())
+        if 12 * refiner.count > allowed:
+            raise SceneError(
+                f"{12 * refiner.count / 2**30:.1f} GiB of links, and not all are found: take fewer patches (--patches)"
+                " or a lower --accuracy"
+            )
+        tell("links", pairs - min(len(stack), pairs), pairs)
+    ends, S = np.concatenate(refiner.ends), np.concatenate(refiner.S)
+    seconds = {"form factors": coarse.seconds["form factors"] + coarse.seconds["visibility"],
+               "links": time.perf_counter() - start}  # fmt: skip
+    return Links(tree, ends, S, seconds)
+
+
+class _Refiner:
+    def __init__(self, tree: Tree, B: Float, least: float, visibility: Visibility) -> None:
+        self.tree, self.least, self.visibility = tree, least, visibility
+        self.ends: list[NDArray[np.int32]] = []
+        self.S: list[NDArray[np.float32]] = []
+        self.count = 0
+        root = np.arange(len(tree.nodes))
+        for low, high in zip(tree.levels[1:-1], tree.levels[2:], strict=True):
+            root[low:high] = root[tree.parent[low:high]]
+        self.B = B[root]
+
+    def step(self, pairs: Int) -> list[Int]:
+        """Links for the pairs whose light is even enough; returns the pairs of parts that the others become."""
+        from glsim.radiosity.sweep import link_factors
+
+        nodes = self.tree.nodes
+        S, spread = np.empty(len(pairs)), np.empty((len(pairs), 2))
+        link_factors(
+            nodes.rings, nodes.counts, nodes.normal, nodes.center, nodes.size, self.tree.child, pairs, S, spread
+        )
+        seeing = np.flatnonzero(S > 0.0)
+        pairs, S, spread = pairs[seeing], S[seeing], spread[seeing]
+        share, asked = self.visibility.asked(
+            nodes.rings, nodes.counts, nodes.normal, nodes.center, nodes.size / 2, pairs
+        )
+        uneven = self._unevenness(pairs, S, spread, share, asked) > self.least
+        uneven &= self.tree.child[pairs] >= 0
+        done = ~uneven.any(axis=1)
+        kept = done & (share > 0.0)
+        self.ends.append(pairs[kept].astype(np.int32))
+        self.S.append((S * share)[kept].astype(np.float32))
+        self.count += int(kept.sum())
+        return self._parts(pairs[~done], uneven[~done])
+
+    def _unevenness(self, pairs: Int, S: Float, spread: Float, share: Float, asked: Int) -> Float:
+        """By how much the radiosity that a link brings to its ends may be wrong in their parts, (k, 2): because the
+        form factor differs between the parts, because some may not be seen, or because the sender is not evenly
+        bright."""
+        nodes = self.tree.nodes
+        bright = np.stack([(nodes.rho[pairs[:, k]] * self.B[pairs[:, 1 - k]]).max(axis=1) for k in (0, 1)], axis=1)
+        likely = (share[asked] * FIRST + 0.5) / (FIRST + 1.0)  # 16 rays that agree are no proof
+        doubt = np.zeros(len(pairs))
+        doubt[asked] = np.sqrt(likely * (1.0 - likely))
+        area = nodes.area[pairs]
+        sent = VARIES * spread * bright[:, ::-1] * area / area[:, ::-1]
+        uneven = np.maximum(np.maximum(spread, (doubt * S)[:, None] / area) * bright, sent)
+        uneven[(share == 0.0) & (doubt == 0.0)] = 0.0
+        return np.asarray(uneven)
+
+    def _parts(self, pairs: Int, uneven: NDArray[np.bool_]) -> list[Int]:
+        four = np.arange(4)
+        parts = []
+        for k in (0, 1):
+            only = uneven[:, k] & ~uneven[:, 1 - k]
+            halves = np.empty((int(only.sum()), 4, 2), np.int64)
+            halves[:, :, k] = self.tree.child[pairs[only, k], None] + four
+            halves[:, :, 1 - k] = pairs[only, 1 - k, None]
+            parts.append(halves.reshape(-1, 2))
+        both = pairs[uneven.all(axis=1)]
+        all_ = np.empty((len(both), 4, 4, 2), np.int64)
+        all_[..., 0] = self.tree.child[both[:, 0], None, None] + four[:, None]
+        all_[..., 1] = self.tree.child[both[:, 1], None, None] + four
+        found = np.concatenate([*parts, all_.reshape(-1, 2)])
+        return [found[k : k + BLOCK] for k in range(0, len(found), BLOCK)]

@@ -1,0 +1,55 @@
+"""Patches divided into four, and again: where the light changes fast, and as levels of detail for links."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.radiosity.mesh import outline
+from glsim.radiosity.patches import Patches, patches_from
+
+Float = NDArray[np.float64]
+Int = NDArray[np.int64]
+
+
+def quarters(rings: Float, counts: Int) -> Float:
+    """Four parts of each patch, by the middles of its edges: (n, 4, 4, 3) from (n, 4, 3).  Quads become quads, a
+    triangle four triangles of its shape."""
+    a, b, c, d = (rings[:, k] for k in range(4))
+    ab, bc, cd, da, m = (a + b) / 2, (b + c) / 2, (c + d) / 2, (d + a) / 2, (a + b + c + d) / 4
+    quads = np.stack([_stack(a, ab, m, da), _stack(ab, b, bc, m), _stack(m, bc, c, cd), _stack(da, m, cd, d)], axis=1)
+    ca = (c + a) / 2
+    three = _stack(a, ab, ca, ca), _stack(ab, b, bc, bc), _stack(ca, bc, c, c), _stack(ab, bc, ca, ca)
+    return np.where((counts == 4)[:, None, None, None], quads, np.stack(three, axis=1))
+
+
+def _stack(*corners: Float) -> Float:
+    return np.stack(corners, axis=1)
+
+
+def divided(patches: Patches, chosen: NDArray[np.bool_]) -> Patches:
+    """The patches with the chosen ones (n,) in four parts, neighbours at most one level apart: a balanced quadtree."""
+    now = _divide(patches, chosen)
+    while (coarse := _unbalanced(now)).any():
+        now = _divide(now, coarse)
+    return now
+
+
+def _divide(patches: Patches, chosen: NDArray[np.bool_]) -> Patches:
+    def joined(values: Int, more: int = 0) -> Int:
+        return np.concatenate([values[~chosen], np.repeat(values[chosen] + more, 4)])
+
+    parts = quarters(patches.rings[chosen], patches.counts[chosen]).reshape(-1, 4, 3)
+    rings = np.concatenate([patches.rings[~chosen], parts])
+    return patches_from(patches.scene, rings, joined(patches.counts), joined(patches.polygon), joined(patches.level, 1))
+
+
+def _unbalanced(patches: Patches) -> NDArray[np.bool_]:
+    """Patches that have a vertex on an edge of patches which are more than one level finer."""
+    lines = outline(patches)
+    finest = np.zeros(len(lines.positions), np.int64)
+    np.maximum.at(finest, lines.corners.ravel(), np.repeat(patches.level, 4))
+    result = np.zeros(len(patches), bool)
+    for (patch, _), there in lines.between.items():
+        result[patch] |= finest[there].max() > patches.level[patch] + 1
+    return result

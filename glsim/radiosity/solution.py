@@ -1,0 +1,110 @@
+"""A scene's radiosity from end to end: patches, form factors, the linear system, vertices."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.radiosity.bake import averaged, gathered
+from glsim.radiosity.formfactors import METHODS, FormFactors, compute
+from glsim.radiosity.hierarchy import ACCURACY, linked, tree_of
+from glsim.radiosity.mesh import mesh_of
+from glsim.radiosity.patches import subdivide
+from glsim.radiosity.result import Radiosity
+from glsim.radiosity.scene import SceneError
+from glsim.radiosity.solvers import WITHOUT_MATRIX, Factors, Step, solved
+
+Float = NDArray[np.float64]
+Progress = Callable[[str, int, int], object]
+VERTICES = ("gather", "average")
+
+
+def solve(
+    what: Any, patches: int = 2000, *, method: str = "contour", solver: str | None = None, tolerance: float = 1e-6,
+    vertices: str = "gather", adaptive: bool = False, accuracy: float = ACCURACY, flip: bool = False,
+    close: bool = False, threads: int | None = None, checkpoint: str | None = None, progress: Progress | None = None,
+    on_step: Callable[[Step], object] | None = None,
+) -> Radiosity:  # fmt: skip
+    """Radiosity of a scene.
+
+    what: whatever load.scene_from takes.  patches: about how many.  method: of form factors, see formfactors.METHODS;
+    "hierarchical" for more patches than there is memory for a matrix, with ``accuracy`` in mean radiosities (see
+    hierarchy.linked).  solver: see solvers.SOLVERS; by default "gauss-seidel", and "cg" without a matrix.  adaptive:
+    begin with fewer patches and divide those where the light changes fast.  vertices: "gather" (a final gather at each
+    vertex) or "average" (of patches).  close: scale the form factors so that rows sum to 1, for closed scenes.  flip:
+    turn all fronts to the other side.  checkpoint: see formfactors.compute.  Raises SceneError.
+    """
+    from glsim.radiosity.adapt import refined
+    from glsim.radiosity.load import scene_from
+
+    _check(method, vertices, adaptive, close)
+    tell = progress or (lambda stage, done, of: None)
+    seconds: dict[str, float] = {}
+    with _timed(seconds, "patches"):
+        tell("patches", 0, 1)
+        scene = scene_from(what)
+        scene = (scene.flipped() if flip else scene).checked()
+    factors: Factors
+    if method == "hierarchical":
+        with _timed(seconds, "patches"):
+            tree = tree_of(scene, patches)
+            tell("patches", 1, 1)
+        factors = linked(tree, accuracy, threads, tell)
+    else:
+        with _timed(seconds, "patches"):
+            parts = subdivide(scene, patches // 4 if adaptive else patches)
+            tell("patches", 1, 1)
+        if adaptive:
+            with _timed(seconds, "refinement"):
+                parts = refined(parts, patches, lambda p: compute(p, method, threads=threads, progress=tell))
+        factors = compute(parts, method, threads=threads, progress=tell, checkpoint=checkpoint)
+        factors = factors.closed() if close else factors
+    seconds.update(factors.seconds)
+    _sees_itself(factors)
+    with _timed(seconds, "solving"):
+        steps = solved(factors, solver or _usual(factors), tolerance=tolerance, progress=on_step)
+    B = steps[-1].B
+    with _timed(seconds, "vertices"):
+        mesh = mesh_of(factors.patches)
+        at_vertices = gathered(factors, mesh, B, tell) if vertices == "gather" else averaged(factors.patches, mesh, B)
+    return Radiosity(
+        factors.patches, factors, steps, B, mesh, at_vertices, solver or _usual(factors), seconds
+    )  # fmt: skip
+
+
+@contextmanager
+def _timed(seconds: dict[str, float], stage: str) -> Iterator[None]:
+    start = time.perf_counter()
+    yield
+    seconds[stage] = seconds.get(stage, 0.0) + time.perf_counter() - start
+
+
+def _usual(factors: Factors) -> str:
+    return "gauss-seidel" if isinstance(factors, FormFactors) else WITHOUT_MATRIX[0]
+
+
+def _check(method: str, vertices: str, adaptive: bool, close: bool) -> None:
+    for name in ("numba", "embreex"):
+        if find_spec(name) is None:
+            raise SceneError(f"radiosity needs the package {name}: pip install glsim[radiosity]")
+    if vertices not in VERTICES:
+        raise SceneError(f"the radiosity at vertices is made by {' or '.join(VERTICES)}, not {vertices!r}")
+    if method not in METHODS:
+        raise SceneError(f"the methods for form factors are {', '.join(METHODS)}, not {method!r}")
+    if method == "hierarchical" and (adaptive or close):
+        raise SceneError("hierarchical radiosity neither needs --adaptive (its links adapt) nor knows --close")
+
+
+def _sees_itself(factors: Factors) -> None:
+    parts = factors.patches
+    if float(factors.row_sums @ parts.area) < 1e-3 * float(parts.area.sum()):
+        raise SceneError(
+            f"{parts.scene.name}: no patch sees another: are the normals inverted? A room shows its fronts inside;"
+            " --flip turns them"
+        )
