@@ -428,8 +428,8 @@ def _add_radiosity(commands: Any) -> None:
     p.add_argument("-o", "--output", action="append", metavar="FILE",
                    help=".png, .glb, .ply or .npz; may be repeated (default: radiosity.png)")  # fmt: skip
     p.add_argument("--patches", type=_count, default=2000, metavar="N", help="about how many (default: %(default)s)")
-    p.add_argument("--method", default="contour",
-                   help="of form factors: contour, analytic, point, disc, monte-carlo, hierarchical")  # fmt: skip
+    p.add_argument("--method", default="contour", metavar="NAME",
+                   help="contour, analytic, point, disc, monte-carlo, hemicube or hierarchical")  # fmt: skip
     p.add_argument("--solver", help="gauss-seidel, jacobi, sor, cg, shooting, lu (hierarchical: jacobi, cg)")
     p.add_argument("--adaptive", action="store_true", help="smaller patches where the light changes fast")
     p.add_argument("--accuracy", type=_positive, default=5e-5, metavar="A",

@@ -50,7 +50,8 @@ def matrix(links: Links) -> FormFactors:
 def test_a_trees_parts_are_the_whole(tree: Tree) -> None:
     nodes, parents = tree.nodes, np.flatnonzero(tree.child >= 0)
     children = tree.child[parents, None] + np.arange(4)
-    assert len(tree.levels) > 3 and len(parents) > 100
+    assert len(tree.levels) > 3
+    assert len(parents) > 100
     assert nodes.area[children].sum(axis=1) == pytest.approx(nodes.area[parents], rel=1e-12)
     assert (tree.parent[children] == parents[:, None]).all()
     assert nodes.normal[children] == pytest.approx(np.repeat(nodes.normal[parents, None], 4, axis=1), abs=1e-9)
@@ -146,8 +147,10 @@ def test_hierarchical_from_end_to_end() -> None:
     assert result.vertex_radiosity == pytest.approx(2.0, rel=5e-3)
     assert np.average(result.B[:, 0], weights=result.patches.area) == pytest.approx(2.0, rel=5e-4)
     report = result.report()
-    assert report["method"] == "hierarchical" and report["solver"] == "jacobi"
-    assert report["reciprocity"] == 0.0 and report["row_sum_error_mean"] < 0.02
+    assert report["method"] == "hierarchical"
+    assert report["solver"] == "jacobi"
+    assert report["reciprocity"] == 0.0
+    assert report["row_sum_error_mean"] < 0.02
     with pytest.raises(SceneError, match="no matrix that could be shown"):
         result.matrix_picture()
 
@@ -198,7 +201,6 @@ def shown_on_the_floor(factors: Factors, points: np.ndarray) -> np.ndarray:
     a, b, c = (mesh.vertices[chosen[:, k]][:, [0, 2]] for k in range(3))
     result = np.full((len(points), 3), np.nan)
     for number, p in enumerate(points[:, [0, 2]]):
-        whole = np.cross(b - a, c - a)
         weights = np.stack([cross(b - p, c - p), cross(c - p, a - p), cross(a - p, b - p)], axis=1)
         weights /= cross(b - a, c - a)[:, None]
         inside = int(np.argmax(weights.min(axis=1)))

@@ -20,6 +20,7 @@ from glsim import radiosity
 from glsim.radiosity import kernels
 from glsim.radiosity.bake import averaged, gathered, toned
 from glsim.radiosity.formfactors import METHODS, FormFactors, compute
+from glsim.radiosity.hemicube import delta_form_factors, hemicube
 from glsim.radiosity.load import scene_from
 from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.patches import Patches, patches_of, subdivide
@@ -216,8 +217,26 @@ def test_methods(method: str) -> None:
     factors = compute(subdivide(scene, 150), method)
     assert np.array_equal(factors.S, factors.S.T)
     error = np.abs(factors.row_sums - 1.0).mean()
-    assert error < {"contour": 1e-3, "analytic": 1e-3, "point": 0.2, "disc": 0.1, "monte-carlo": 0.2}[method]
+    assert (
+        error
+        < {"contour": 1e-3, "analytic": 1e-3, "point": 0.2, "disc": 0.1, "monte-carlo": 0.2, "hemicube": 0.02}[method]
+    )
     assert (factors.error is not None) == (method == "monte-carlo")
+
+
+def test_hemicube() -> None:
+    """In an empty room, against the exact form factors from the middles of the patches; its pixels sum to 1."""
+    for resolution in (16, 64):
+        assert delta_form_factors(resolution).sum() == pytest.approx(1.0, abs=0.6 / resolution**2)
+    parts = subdivide(BUILT_IN["furnace"].make().checked(), 54)
+    at_middle = np.zeros((len(parts), len(parts)))
+    arrays = (parts.rings, parts.counts, parts.normal, parts.center, parts.size, np.zeros(len(parts)))
+    kernels.gather(parts.center, parts.normal, *arrays, at_middle)
+    expected = at_middle * parts.area[:, None]
+    expected = (expected + expected.T) / 2.0
+    error = {r: np.abs(hemicube(parts, print, r) - expected).mean() / expected.mean() for r in (32, 128, 512)}
+    assert error[128] < 0.35 * error[32]
+    assert error[512] < 0.35 * error[128] < 0.005
 
 
 @settings(max_examples=12, deadline=None, suppress_health_check=list(HealthCheck))

@@ -36,6 +36,7 @@ METHODS = {
     "point": "textbook: from centre to centre, cos cos A / (pi r^2), one ray",
     "disc": "from centre to disc, cos cos A / (pi r^2 + A), one ray",
     "monte-carlo": "rays between random points of both patches, with standard errors",
+    "hemicube": "the scene as each patch sees it, drawn on half a cube (Cohen and Greenberg 1985)",
     "hierarchical": "links between levels of detail: for tens of thousands of patches",
 }
 
@@ -138,11 +139,14 @@ def compute(
     tell = progress or (lambda stage, done, of: None)
     if method in ("contour", "analytic"):
         return _by_pairs(patches, method, exact, threads, tell, checkpoint)
+    from glsim.radiosity.hemicube import hemicube
     from glsim.radiosity.textbook import disc_or_point, monte_carlo
 
     start = time.perf_counter()
     error = None
-    if method == "monte-carlo":
+    if method == "hemicube":
+        S = hemicube(patches, tell)
+    elif method == "monte-carlo":
         S, error = monte_carlo(patches, samples, seed, tell)
     else:
         S = disc_or_point(patches, disc=method == "disc", progress=tell)

@@ -21,8 +21,6 @@ from glsim.radiosity.solvers import Factors, Step
 if TYPE_CHECKING:
     from PIL import Image
 
-    from glsim.render.context import Offscreen
-
 Float = NDArray[np.float64]
 
 
@@ -94,19 +92,12 @@ class Radiosity:
         self, size: int = 512, view: int | View = 0, *, colors: Float | None = None, samples: int = 4
     ) -> Image.Image:
         """The scene from one of its cameras.  colors: of the vertices (V, 3), instead of the radiosity."""
-        from glsim.machine.current import current_machine, make_current
-        from glsim.machine.machine import Machine
         from glsim.render.context import offscreen
 
-        before = current_machine()
-        screen: Offscreen = offscreen(size, size, samples=samples)
-        try:
+        with offscreen(size, size, samples=samples) as screen:
             look(self.view(view), self.patches.scene)
             self.draw(colors)
             return screen.image()
-        finally:
-            screen.release()
-            make_current(before if isinstance(before, Machine) else None)
 
     def direct(self) -> Float:
         """Radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
