@@ -430,7 +430,9 @@ def _add_radiosity(commands: Any) -> None:
     p.add_argument("--patches", type=_count, default=2000, metavar="N", help="about how many (default: %(default)s)")
     p.add_argument("--method", default="contour", metavar="NAME",
                    help="contour, analytic, point, disc, monte-carlo, hemicube or hierarchical")  # fmt: skip
-    p.add_argument("--solver", help="gauss-seidel, jacobi, sor, cg, shooting, lu (hierarchical: jacobi, cg)")
+    p.add_argument(
+        "--solver", help="gauss-seidel, jacobi, sor, cg, shooting, lu (hierarchical, --scheduler: cg, jacobi)"
+    )
     p.add_argument("--adaptive", action="store_true", help="smaller patches where the light changes fast")
     p.add_argument("--accuracy", type=_positive, default=5e-5, metavar="A",
                    help="of a link, in mean radiosities, for hierarchical (default: %(default)s)")  # fmt: skip
@@ -448,6 +450,8 @@ def _add_radiosity(commands: Any) -> None:
     p.add_argument("--close", action="store_true", help="scale form factors so that rows sum to 1: closed scenes")
     p.add_argument("--report", metavar="FILE", help="write the report as JSON")
     p.add_argument("--resume", metavar="FILE", help="where finished rows are kept when interrupted, and taken from")
+    p.add_argument("--scheduler", metavar="ADDRESS",
+                   help="use the workers of a Dask scheduler; --resume then takes a name, not a file")  # fmt: skip
     p.add_argument("--list", action="store_true", help="list the built-in scenes")
     p.add_argument("--json", action="store_true", help="print the report as one JSON object")
     p.set_defaults(run=_radiosity)
@@ -495,7 +499,8 @@ def _radiosity(options: argparse.Namespace) -> int:
         result = solve(
             options.what, options.patches, method=options.method, solver=options.solver, tolerance=options.tolerance,
             vertices=options.vertices, adaptive=options.adaptive, accuracy=options.accuracy, flip=options.flip,
-            close=options.close, checkpoint=options.resume, progress=progress,
+            close=options.close, checkpoint=options.resume, scheduler=options.scheduler,
+            progress=progress,
             on_step=lambda step: bars.update(task, description=f"iteration {step.iteration}, {step.residual:.1e}"),
         )  # fmt: skip
     result = replace(result, white=options.white, tone=options.tone, gamma=options.gamma)

@@ -75,16 +75,7 @@ class FormFactors:
 
     def at_points(self, visibility: Visibility, points: Float, ways: Float, patch: Int, B: Float) -> Float:
         """Irradiance (k, 3) at points with normals ``ways``, from all patches, whichever patch they are on."""
-        from glsim.radiosity import kernels
-
-        p = self.patches
-        least = negligible(p, B) / np.maximum(B.max(axis=1), 1e-300)
-        factors = np.zeros((len(points), len(p)))
-        kernels.gather(points, ways, p.rings, p.counts, p.normal, p.center, p.size, least, factors)
-        rows, columns = np.nonzero(factors)
-        dim = factors[rows, columns] < DIM * least[columns]
-        factors[rows, columns] *= visibility.from_points(points, ways, p, rows, columns, dim)
-        return factors @ B
+        return irradiance(self.patches, visibility, points, ways, B)
 
     @property
     def asymmetry(self) -> float:
@@ -101,6 +92,20 @@ class FormFactors:
         for _ in range(rounds):
             c = np.sqrt(c * area / np.maximum(S @ c, 1e-300))
         return FormFactors(self.patches, (c[:, None] * S * c).astype(np.float32), self.method, self.seconds)
+
+
+def irradiance(patches: Patches, visibility: Visibility, points: Float, ways: Float, B: Float) -> Float:
+    """Irradiance (k, 3) at points with normals ``ways`` from patches of radiosity B."""
+    from glsim.radiosity import kernels
+
+    p = patches
+    least = negligible(p, B) / np.maximum(B.max(axis=1), 1e-300)
+    factors = np.zeros((len(points), len(p)))
+    kernels.gather(points, ways, p.rings, p.counts, p.normal, p.center, p.size, least, factors)
+    rows, columns = np.nonzero(factors)
+    dim = factors[rows, columns] < DIM * least[columns]
+    factors[rows, columns] *= visibility.from_points(points, ways, p, rows, columns, dim)
+    return np.asarray(factors @ B)
 
 
 def negligible(patches: Patches, B: Float) -> float:
@@ -165,27 +170,19 @@ def _by_pairs(
     patches: Patches, method: str, exact: bool, threads: int | None, tell: Progress, checkpoint: str | None
 ) -> FormFactors:
     """Blocks of rows: first what would arrive if nothing were in between, then the share that does."""
-    from glsim.radiosity import kernels
     from glsim.radiosity.visibility import Visibility
 
     n = len(patches)
     S = np.zeros((n, n), np.float32)
     seconds = {"form factors": 0.0, "visibility": 0.0}
     visibility = Visibility(patches.scene, threads) if method == "contour" else None
-    arrays = (patches.rings, patches.counts, patches.normal, patches.center, patches.size)
     of = n * (n - 1) // 2
     kept = _Checkpoint(checkpoint, patches, f"{method} {exact}") if checkpoint else None
     first = kept.load(S) if kept else 0
     try:
         while first < n:
-            last = min(n, first + max(1, BLOCK // (n - first)))
-            start = time.perf_counter()
-            kernels.rows(*arrays, first, last, exact, S[first:last])
-            middle = time.perf_counter()
-            if visibility is not None:
-                _hide(visibility, patches, S[first:last], first)
-            seconds["form factors"] += middle - start
-            seconds["visibility"] += time.perf_counter() - middle
+            last = next_rows(n, first)
+            upper_rows(patches, visibility, first, last, exact, S[first:last], seconds)
             first = last
             tell("form factors", of - (n - first) * (n - first - 1) // 2, of)
     except KeyboardInterrupt:
@@ -199,24 +196,41 @@ def _by_pairs(
     return FormFactors(patches, S, method, seconds)
 
 
-def _hide(visibility: Any, patches: Patches, block: NDArray[np.float32], first: int) -> None:
-    rows, columns = np.nonzero(block[:, first:])
-    pairs = np.stack([rows + first, columns + first], axis=1)
-    shares = visibility.fractions(
-        patches.rings, patches.counts, patches.normal, patches.center, patches.size / 2.0, pairs
-    )
-    block[rows, columns + first] *= shares.astype(np.float32)
+def next_rows(n: int, first: int, size: int = BLOCK) -> int:
+    """Where the block of rows that begins at ``first`` ends, of about ``size`` pairs."""
+    return min(n, first + max(1, size // (n - first)))
+
+
+def upper_rows(
+    patches: Patches, visibility: Visibility | None, first: int, last: int, exact: bool, out: NDArray[np.float32],
+    seconds: dict[str, float],
+) -> None:  # fmt: skip
+    """S of patches first..last with all of higher number, into ``out`` (last - first, n)."""
+    from glsim.radiosity import kernels
+
+    p, start = patches, time.perf_counter()
+    kernels.rows(p.rings, p.counts, p.normal, p.center, p.size, first, last, exact, out)
+    middle = time.perf_counter()
+    if visibility is not None:
+        rows, columns = np.nonzero(out[:, first:])
+        pairs = np.stack([rows + first, columns + first], axis=1)
+        shares = visibility.fractions(p.rings, p.counts, p.normal, p.center, p.size / 2.0, pairs)
+        out[rows, columns + first] *= shares.astype(np.float32)
+    seconds["form factors"] += middle - start
+    seconds["visibility"] += time.perf_counter() - middle
+
+
+def mark_of(patches: Patches, how: str) -> str:
+    """A mark of what form factors depend on."""
+    content = patches.rings.tobytes() + how.encode() + repr([ring.tolist() for ring in patches.scene.rings]).encode()
+    return hashlib.sha256(content).hexdigest()
 
 
 class _Checkpoint:
     """Finished rows of S in a file, with a mark of the patches they are of."""
 
     def __init__(self, path: str, patches: Patches, how: str) -> None:
-        self.path = path
-        content = (
-            patches.rings.tobytes() + how.encode() + repr([ring.tolist() for ring in patches.scene.rings]).encode()
-        )
-        self.mark = hashlib.sha256(content).hexdigest()
+        self.path, self.mark = path, mark_of(patches, how)
 
     def save(self, S: NDArray[np.float32], first: int) -> None:
         rows = S[:first]

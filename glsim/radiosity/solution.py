@@ -28,8 +28,8 @@ VERTICES = ("gather", "average")
 def solve(
     what: Any, patches: int = 2000, *, method: str = "contour", solver: str | None = None, tolerance: float = 1e-6,
     vertices: str = "gather", adaptive: bool = False, accuracy: float = ACCURACY, flip: bool = False,
-    close: bool = False, threads: int | None = None, checkpoint: str | None = None, progress: Progress | None = None,
-    on_step: Callable[[Step], object] | None = None,
+    close: bool = False, threads: int | None = None, checkpoint: str | None = None, scheduler: str | None = None,
+    progress: Progress | None = None, on_step: Callable[[Step], object] | None = None,
 ) -> Radiosity:  # fmt: skip
     """Radiosity of a scene.
 
@@ -38,12 +38,14 @@ def solve(
     hierarchy.linked).  solver: see solvers.SOLVERS; by default "gauss-seidel", and "cg" without a matrix.  adaptive:
     begin with fewer patches and divide those where the light changes fast.  vertices: "gather" (a final gather at each
     vertex) or "average" (of patches).  close: scale the form factors so that rows sum to 1, for closed scenes.  flip:
-    turn all fronts to the other side.  checkpoint: see formfactors.compute.  Raises SceneError.
+    turn all fronts to the other side.  checkpoint: see formfactors.compute.  scheduler: the address of a Dask scheduler
+    on whose workers the form factors are found and used; checkpoint is then the name under which they stay there (see
+    distributed.Blocks).  Raises SceneError.
     """
     from glsim.radiosity.adapt import refined
     from glsim.radiosity.load import scene_from
 
-    _check(method, vertices, adaptive, close)
+    _check(method, vertices, adaptive, close, scheduler)
     tell = progress or (lambda stage, done, of: None)
     seconds: dict[str, float] = {}
     with _timed(seconds, "patches"):
@@ -57,14 +59,15 @@ def solve(
             tell("patches", 1, 1)
         factors = linked(tree, accuracy, threads, tell)
     else:
+        find = _finder(method, threads, scheduler, tell)
         with _timed(seconds, "patches"):
             parts = subdivide(scene, patches // 4 if adaptive else patches)
             tell("patches", 1, 1)
         if adaptive:
             with _timed(seconds, "refinement"):
-                parts = refined(parts, patches, lambda p: compute(p, method, threads=threads, progress=tell))
-        factors = compute(parts, method, threads=threads, progress=tell, checkpoint=checkpoint)
-        factors = factors.closed() if close else factors
+                parts = refined(parts, patches, find)
+        factors = find(parts, checkpoint)
+        factors = factors.closed() if close and isinstance(factors, FormFactors) else factors
     seconds.update(factors.seconds)
     _sees_itself(factors)
     with _timed(seconds, "solving"):
@@ -78,6 +81,18 @@ def solve(
     )  # fmt: skip
 
 
+def _finder(method: str, threads: int | None, scheduler: str | None, tell: Progress) -> Any:
+    """What finds the form factors of patches: here, or on the workers of a scheduler."""
+    if scheduler is None:
+        return lambda parts, checkpoint=None: compute(
+            parts, method, threads=threads, progress=tell, checkpoint=checkpoint
+        )
+    from glsim.radiosity.distributed import Blocks, connected
+
+    client = connected(scheduler)
+    return lambda parts, name=None: Blocks(client, parts, tell, name)
+
+
 @contextmanager
 def _timed(seconds: dict[str, float], stage: str) -> Iterator[None]:
     start = time.perf_counter()
@@ -89,7 +104,7 @@ def _usual(factors: Factors) -> str:
     return "gauss-seidel" if isinstance(factors, FormFactors) else WITHOUT_MATRIX[0]
 
 
-def _check(method: str, vertices: str, adaptive: bool, close: bool) -> None:
+def _check(method: str, vertices: str, adaptive: bool, close: bool, scheduler: str | None) -> None:
     for name in ("numba", "embreex"):
         if find_spec(name) is None:
             raise SceneError(f"radiosity needs the package {name}: pip install glsim[radiosity]")
@@ -97,6 +112,8 @@ def _check(method: str, vertices: str, adaptive: bool, close: bool) -> None:
         raise SceneError(f"the radiosity at vertices is made by {' or '.join(VERTICES)}, not {vertices!r}")
     if method not in METHODS:
         raise SceneError(f"the methods for form factors are {', '.join(METHODS)}, not {method!r}")
+    if scheduler and (method != "contour" or close):
+        raise SceneError("with --scheduler the method is contour, and --close is not there")
     if method == "hierarchical" and (adaptive or close):
         raise SceneError("hierarchical radiosity neither needs --adaptive (its links adapt) nor knows --close")
 

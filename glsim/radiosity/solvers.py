@@ -153,48 +153,28 @@ def sor(system: System) -> Iterator[Step]:
 
 
 def conjugate_gradients(system: System) -> Iterator[Step]:
-    """On the symmetric form (A / rho - S) B = A E / rho; patches that reflect nothing have B = E and stay out."""
+    """On the symmetric form (A / rho - S) B = A E / rho, preconditioned by the diagonal, the three channels side by
+    side; patches that reflect nothing have B = E and stay out."""
+    free = system.rho > 0.0
+    diagonal = np.where(free, system.area[:, None] / np.where(free, system.rho, 1.0), 1.0)
     B = system.E.copy()
+    arriving = system.times(B)
+    r = np.where(free, arriving, 0.0)  # A E / rho - (A / rho - S) E
+    p, before = np.zeros_like(B), np.ones(3)
     iteration = 0
-    yield system.step(0, B)
-    states = [_Gradient(system, B, channel) for channel in range(3)]
     while True:
-        for channel, state in enumerate(states):
-            B[:, channel] = state.advance()
+        yield system.step(iteration, B.copy(), arriving / system.area[:, None])
+        z = r / diagonal
+        rz = (r * z).sum(axis=0)
+        p = z + rz / before * p
+        image = system.times(p)
+        curvature = (p * np.where(free, diagonal * p - image, 0.0)).sum(axis=0)
+        alpha = np.divide(rz, curvature, out=np.zeros(3), where=curvature > 0.0)
+        B = B + alpha * p
+        arriving = arriving + alpha * image
+        r = r - alpha * np.where(free, diagonal * p - image, 0.0)
+        before = np.where(rz > 0.0, rz, 1.0)
         iteration += 1
-        yield system.step(iteration, B.copy())
-
-
-class _Gradient:
-    """Conjugate gradients for one channel, preconditioned by the diagonal."""
-
-    def __init__(self, system: System, B: Float, channel: int) -> None:
-        self.system = system
-        rho = system.rho[:, channel]
-        self.free = rho > 0.0
-        self.diagonal = np.where(self.free, system.area / np.where(self.free, rho, 1.0), 1.0)
-        self.x = B[:, channel].copy()
-        right = self.diagonal * system.E[:, channel]
-        self.r = np.where(self.free, right - self._times(self.x), 0.0)
-        self.z = self.r / self.diagonal
-        self.p = self.z.copy()
-        self.rz = float(self.r @ self.z)
-
-    def _times(self, x: Float) -> Float:
-        return np.asarray(self.diagonal * x - self.system.times(np.stack([x, x, x], axis=1))[:, 0])
-
-    def advance(self) -> Float:
-        if self.rz > 0.0:
-            image = np.where(self.free, self._times(np.where(self.free, self.p, 0.0)), 0.0)
-            curvature = float(self.p @ image)
-            alpha = self.rz / curvature if curvature > 0.0 else 0.0
-            self.x = self.x + alpha * self.p
-            self.r = self.r - alpha * image
-            self.z = self.r / self.diagonal
-            rz = float(self.r @ self.z)
-            self.p = self.z + rz / self.rz * self.p
-            self.rz = rz
-        return self.x
 
 
 def shooting(system: System, ambient: bool = False, many: int | None = None) -> Iterator[Step]:
@@ -225,7 +205,7 @@ SOLVERS: dict[str, Callable[[System], Iterator[Step]]] = {
     "gauss-seidel": gauss_seidel, "jacobi": jacobi, "sor": sor, "cg": conjugate_gradients, "shooting": shooting,
     "lu": lu,
 }  # fmt: skip
-WITHOUT_MATRIX = ("jacobi", "cg")  # solvers that only multiply by it
+WITHOUT_MATRIX = ("cg", "jacobi")  # solvers that only multiply by it
 
 
 def solved(
