@@ -85,11 +85,13 @@ def _add_compare(commands: Any) -> None:
     p.add_argument(
         "scene",
         nargs="?",
-        help="a built-in scene (see --list), a mesh file (OBJ, PLY, STL, GLB, OFF, ...) or a GLUT program (.py)",
+        help="a built-in scene (see --list), a mesh file (OBJ, PLY, STL, GLB, OFF, ...) or a GLUT program (.py);"
+        " for radiosity also a scene of glsim radiosity --list",
     )
     p.add_argument("-o", "--output", metavar="FILE", help="the sheet (default: compare.png)", default="compare.png")
     p.add_argument("--modes", default="flat,gouraud,phong", metavar="A,B,...",
-                   help="columns: flat, gouraud, phong, wireframe, unlit, native (default: %(default)s)")  # fmt: skip
+                   help="columns: flat, gouraud, phong, wireframe, unlit, native, direct, radiosity"
+                   " (default: %(default)s)")  # fmt: skip
     p.add_argument("--lobe", default="blinn,phong", metavar="A,B",
                    help="rows: blinn (N.H)^n, phong (R.V)^n (default: %(default)s)")  # fmt: skip
     p.add_argument("--size", type=_size, default=512, metavar="N", help="pixels of each picture (default: %(default)s)")
@@ -98,6 +100,10 @@ def _add_compare(commands: Any) -> None:
     p.add_argument("--material", metavar="NAME", help="a named material such as brass (see --list)")
     p.add_argument("--camera", type=_camera, metavar="AZIMUTH,ELEVATION[,DISTANCE]",
                    help="degrees around and above the scene, and the distance in radii")  # fmt: skip
+    p.add_argument("--patches", type=_count, default=2000, metavar="N", help="of radiosity (default: %(default)s)")
+    p.add_argument(
+        "--view", type=_number, default=0, metavar="N", help="which camera of a radiosity scene (default: 0)"
+    )
     p.add_argument("--list", action="store_true", help="list the built-in scenes and materials")
     p.add_argument("--json", action="store_true", help="print the differences as one JSON object")
     p.set_defaults(run=_compare)
@@ -157,6 +163,8 @@ def _compare(options: argparse.Namespace) -> int:
             lights=options.light,
             material=options.material,
             camera=options.camera,
+            patches=options.patches,
+            view=options.view,
             progress=status.update,
         )
     result.save(options.output)

@@ -86,7 +86,12 @@ class Radiosity:
     def colors(self, B: Float | None = None) -> Float:
         """Colours for the screen, (V, 3) in [0, 1], of the vertices' radiosity or of another one."""
         shown = self.vertex_radiosity if B is None else B
-        return toned(shown, self.white or automatic_white(self.patches, self.B), self.tone, self.gamma)
+        return toned(shown, self.shown_white, self.tone, self.gamma)
+
+    @property
+    def shown_white(self) -> float:
+        """The radiosity that becomes white."""
+        return self.white or automatic_white(self.patches, self.B)
 
     def picture(
         self, size: int = 512, view: int | View = 0, *, colors: Float | None = None, samples: int = 4
@@ -117,7 +122,8 @@ class Radiosity:
             return which
         views = self.patches.scene.views
         if not 0 <= which < len(views):
-            raise SceneError(f"{self.patches.scene.name} has {len(views)} views, numbered from 0; {which} is none")
+            many = "1 view" if len(views) == 1 else f"{len(views)} views"
+            raise SceneError(f"{self.patches.scene.name} has {many}, numbered from 0; there is no {which}")
         return views[which]
 
     def row_picture(self, patch: int, size: int = 512, view: int | View = 0) -> Image.Image:

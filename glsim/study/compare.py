@@ -41,8 +41,12 @@ MODES = {
     "gouraud": "Gouraud",
     "phong": "Phong",
     "native": "Driver's fixed function",
+    "direct": "Direct illumination",
+    "radiosity": "Radiosity",
 }
+BOUNCING = ("direct", "radiosity")
 LOBES = {"blinn": "Blinn-Torrance  (N·H)^n", "phong": "Phong  (R·V)^n"}
+ROWS = {**LOBES, "diffuse": "Diffuse"}
 SHADE_MODEL = {"flat": GL_FLAT, "gouraud": GL_SMOOTH, "phong": GL_PHONG_WIN}
 LOBE = {"blinn": GL_BLINN_TORRANCE_GLSIM, "phong": GL_PHONG_LOBE_GLSIM}
 AMPLIFIED = 4
@@ -102,6 +106,8 @@ def compare(
     lights: Sequence[Lamp] | None = None,
     material: str | None = None,
     camera: Camera | None = None,
+    patches: int = 2000,
+    view: int = 0,
     backend: str = "auto",
     progress: Callable[[str], object] | None = None,
 ) -> Comparison:
@@ -109,7 +115,10 @@ def compare(
 
     what: a function that draws with the gl commands, a Scene, the name of a built-in scene, the path of a mesh file,
         a trimesh.Trimesh, or the path of a GLUT program (.py), whose first picture is taken at its own size.
-    modes: of "flat", "gouraud", "phong", "wireframe", "unlit", "native" (the driver's own fixed function).
+    modes: of "flat", "gouraud", "phong", "wireframe", "unlit", "native" (the driver's own fixed function); and with
+        light that comes from the scene's own surfaces, seen through camera number ``view`` of a radiosity.Scene or
+        whatever such can be made from: "direct" (illumination with soft shadows) and "radiosity", solved with
+        ``patches`` patches.  The other modes then show its lamps as OpenGL's lights (see radiosity.lit).
     lobes: "blinn" and/or "phong".  size: of each picture, in pixels.
     lights, material, camera: instead of the scene's own; not for a function, which sets its own.
     progress: called with what is being done, for work that takes long.
@@ -122,6 +131,10 @@ def compare(
         if unknown or not given:
             raise ValueError(f"compare: {kind}s are {', '.join(known)}, not {', '.join(unknown) or 'none'}")
     tell = progress or (lambda words: None)
+    if _bounces(what) or not set(BOUNCING).isdisjoint(modes):
+        if lights is not None or material is not None or camera is not None:
+            raise ValueError("compare: with radiosity the scene has its own lamps, materials and cameras: use --view")
+        return _compare_radiosity(what, tuple(modes), size, patches, view, tell)
     if isinstance(what, (str, Path)) and str(what).endswith(".py"):
         return _compare_program(Path(what), tuple(modes), tuple(lobes), tell)
     tell("reading the scene")
@@ -148,6 +161,44 @@ def compare(
         screen.release()
         make_current(before if isinstance(before, Machine) else None)
     return Comparison(title, tuple(modes), tuple(lobes), images)
+
+
+def _bounces(what: Any) -> bool:
+    """Whether it is a scene for radiosity, or the name of one and of nothing else."""
+    from glsim import scenes
+    from glsim.radiosity import scene
+    from glsim.radiosity.scenes import BUILT_IN
+
+    if isinstance(what, scene.Scene):
+        return True
+    return isinstance(what, str) and what in BUILT_IN and what not in scenes.BUILT_IN and not Path(what).exists()
+
+
+def _compare_radiosity(
+    what: Any, modes: tuple[str, ...], size: int, patches: int, view: int, tell: Callable[[str], object]
+) -> Comparison:
+    """Light from the scene's own surfaces: by the fixed function's equation, directly with shadows, and bouncing."""
+    from glsim.radiosity import solve
+    from glsim.radiosity.bake import GAMMA
+    from glsim.radiosity.lit import draw_lit
+    from glsim.render.context import offscreen
+
+    result = solve(what, patches, progress=lambda stage, done, of: tell(f"{stage}: {100 * done // max(of, 1)} %"))
+    screen_values = np.round(255.0 * (np.arange(256) / 255.0) ** (1.0 / GAMMA)).astype(np.uint8)
+    images = {}
+    samples = 0 if "native" in modes else 4  # the driver's fixed function is drawn without
+    with offscreen(size, size, samples=samples) as screen:
+        with capture(calls="native" in modes) as frame:
+            draw_lit(result, result.view(view), result.shown_white)
+        for mode in modes:
+            tell(f"drawing {MODES[mode]}")
+            if mode in BOUNCING:
+                colors = result.colors(result.direct() if mode == "direct" else result.vertex_radiosity)
+                images["diffuse", mode] = np.asarray(result.picture(size, view, colors=colors, samples=samples))
+            else:
+                images["diffuse", mode] = screen_values[_picture(screen, frame, mode, "blinn")]
+        screen.release()
+    return Comparison(result.patches.scene.name, modes, ("diffuse",), images)
 
 
 def _compare_program(

@@ -18,7 +18,7 @@ PAPER, INK, FAINT = (250, 250, 248), (30, 32, 38), (110, 114, 124)
 
 def draw_sheet(comparison: Comparison) -> Image.Image:
     """Columns: modes.  Rows: for each lobe the pictures, then their amplified differences from the first mode."""
-    from glsim.study.compare import AMPLIFIED, LOBES, MODES
+    from glsim.study.compare import AMPLIFIED, MODES, ROWS
 
     first = next(iter(comparison.images.values()))
     height, width = first.shape[:2]
@@ -37,7 +37,7 @@ def draw_sheet(comparison: Comparison) -> Image.Image:
         pen.text((left + column * (width + gap) + width // 2, line + gap // 2), MODES[mode], INK, font, anchor="ma")
     for row, lobe in enumerate(lobes):
         y = top + row * block
-        _upright(sheet, LOBES[lobe], font, INK, (gap // 2, y), height)
+        _upright(sheet, ROWS[lobe], font, INK, (gap // 2, y), height)
         for column, mode in enumerate(comparison.modes):
             x = left + column * (width + gap)
             if (lobe, mode) not in comparison.images:
