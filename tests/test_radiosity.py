@@ -427,7 +427,7 @@ def test_files(small: radiosity.Radiosity, tmp_path: Path) -> None:
     assert small.beside_direct(64).size[0] > 128
     assert len(small.convergence_picture().getcolors(1 << 16)) > 5
     assert len(small.matrix_picture(100).getcolors(1 << 16)) > 20
-    with pytest.raises(SceneError, match="1 views"):
+    with pytest.raises(SceneError, match="has 1 view, numbered from 0; there is no 3"):
         small.picture(64, 3)
 
 
@@ -558,9 +558,52 @@ def test_an_interrupted_run_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert first[0] > 2 * 5000
     assert np.array_equal(again.S, whole.S)
     assert not Path(target).exists()
-    (tmp_path / "rows.npz").write_text("nothing")
-    with pytest.raises(SceneError, match="is no checkpoint"):
-        compute(parts, checkpoint=target)
+
+
+@pytest.mark.parametrize(
+    ("method", "stage"),
+    [("contour", "form factors"), ("contour", "vertices"), ("hierarchical", "links"), ("hierarchical", "vertices")],
+)
+def test_nothing_is_lost_whenever_one_interrupts(
+    method: str, stage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("glsim.radiosity.formfactors.BLOCK", 20000)
+    monkeypatch.setattr("glsim.radiosity.hierarchy.BLOCK", 20000)
+    monkeypatch.setattr("glsim.radiosity.bake.AT_ONCE", 200)
+    target = str(tmp_path / "kept.npz")
+    told: list[tuple[str, int]] = []
+
+    def progress(name: str, done: int, of: int) -> None:
+        told.append((name, done))
+        if name == stage and len([n for n, _ in told if n == stage]) == 3:
+            raise KeyboardInterrupt
+
+    def run(**more: Any) -> radiosity.Radiosity:
+        return radiosity.solve("cornell", 500, method=method, **more)
+
+    whole = run()
+    with pytest.raises(KeyboardInterrupt):
+        run(checkpoint=target, progress=progress)
+    assert Path(target).exists()
+    stage = "never"
+    told.clear()
+    again = run(checkpoint=target, progress=progress)
+    assert again.vertex_radiosity == pytest.approx(whole.vertex_radiosity, rel=1e-9)
+    assert not Path(target).exists()
+    first = [done for name, done in told if name in ("form factors", "links")]
+    assert not first or method == "hierarchical" or first[0] > 40000
+
+
+def test_another_scenes_checkpoint_is_left_alone(tmp_path: Path) -> None:
+    target = str(tmp_path / "kept.npz")
+    other, ours = (compute(subdivide(BUILT_IN[name].make().checked(), 60)) for name in ("plates", "furnace"))
+    other.keep(target)
+    before = Path(target).read_bytes()
+    assert np.array_equal(compute(ours.patches, checkpoint=target).S, ours.S)
+    assert Path(target).read_bytes() == before
+    Path(target).write_text("nonsense")
+    with pytest.raises(SceneError, match="is no checkpoint: name another file, or remove it"):
+        compute(ours.patches, checkpoint=target)
 
 
 def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:

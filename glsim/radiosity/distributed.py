@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.formfactors import BLOCK, Progress, irradiance, mark_of, next_rows, upper_rows
+from glsim.radiosity.checkpoint import mark_of
+from glsim.radiosity.formfactors import BLOCK, Progress, irradiance, next_rows, upper_rows
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.scene import Scene, SceneError
 
@@ -76,7 +77,7 @@ class Blocks:
             client.submit(_block, self.there, low, high, key=f"glsim-{mark}-{low}") for low, high in self._bounds()
         ]
         if name:
-            client.publish_dataset(self.blocks, name=name, override=True)
+            self.keep(name)
         self._wait(progress)
         if name:
             client.unpublish_dataset(name)
@@ -127,6 +128,10 @@ class Blocks:
     def row_sums(self) -> Float:
         """(n,): 1 in a closed scene, less where light escapes."""
         return np.asarray(self.times(np.ones((len(self.patches), 3)))[:, 0] / self.patches.area)
+
+    def keep(self, checkpoint: str) -> None:
+        """Leave the blocks on the workers under a name."""
+        self.client.publish_dataset(self.blocks, name=checkpoint, override=True)
 
     def row(self, i: int) -> Float:
         """F[i, :], (n,)."""

@@ -6,18 +6,16 @@ fraction of what leaves patch i that arrives at j; in a closed scene each row su
 
 from __future__ import annotations
 
-import hashlib
 import os
 import time
-import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.files import write_atomically
+from glsim.radiosity.checkpoint import Checkpoint
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.scene import SceneError
 
@@ -84,6 +82,11 @@ class FormFactors:
         return max(
             (float(np.abs(S[k : k + 512] - S[:, k : k + 512].T).max()) for k in range(0, len(S), 512)), default=0.0
         )
+
+    def keep(self, checkpoint: str) -> None:
+        """Save them where the next ``compute`` looks."""
+        if self.method in ("contour", "analytic"):
+            Checkpoint(checkpoint, self.patches, f"{self.method} False").save(rows=np.triu(self.S))
 
     def closed(self, rounds: int = 50) -> FormFactors:
         """Scaled symmetrically so that each row sums to 1: for scenes that are closed.  S_ij becomes c_i c_j S_ij."""
@@ -177,8 +180,10 @@ def _by_pairs(
     seconds = {"form factors": 0.0, "visibility": 0.0}
     visibility = Visibility(patches.scene, threads) if method == "contour" else None
     of = n * (n - 1) // 2
-    kept = _Checkpoint(checkpoint, patches, f"{method} {exact}") if checkpoint else None
-    first = kept.load(S) if kept else 0
+    kept = Checkpoint(checkpoint, patches, f"{method} {exact}")
+    before = kept.load().get("rows", S[:0])
+    first = len(before)
+    S[:first] = before
     try:
         while first < n:
             last = next_rows(n, first)
@@ -186,19 +191,17 @@ def _by_pairs(
             first = last
             tell("form factors", of - (n - first) * (n - first - 1) // 2, of)
     except KeyboardInterrupt:
-        if kept:
-            kept.save(S, first)
+        kept.save(rows=S[:first])
         raise
-    if kept:
-        kept.remove()
+    kept.remove()
     for k in range(0, n, 1024):  # the lower half is the upper one
         S[k:, k : k + 1024] += np.triu(S[k : k + 1024, k:], 1).T if k else np.triu(S[:1024], 1).T
     return FormFactors(patches, S, method, seconds)
 
 
-def next_rows(n: int, first: int, size: int = BLOCK) -> int:
-    """Where the block of rows that begins at ``first`` ends, of about ``size`` pairs."""
-    return min(n, first + max(1, size // (n - first)))
+def next_rows(n: int, first: int, size: int | None = None) -> int:
+    """Where the block of rows that begins at ``first`` ends, of about ``size`` pairs, by default BLOCK."""
+    return min(n, first + max(1, (size or BLOCK) // (n - first)))
 
 
 def upper_rows(
@@ -218,41 +221,3 @@ def upper_rows(
         out[rows, columns + first] *= shares.astype(np.float32)
     seconds["form factors"] += middle - start
     seconds["visibility"] += time.perf_counter() - middle
-
-
-def mark_of(patches: Patches, how: str) -> str:
-    """A mark of what form factors depend on."""
-    content = patches.rings.tobytes() + how.encode() + repr([ring.tolist() for ring in patches.scene.rings]).encode()
-    return hashlib.sha256(content).hexdigest()
-
-
-class _Checkpoint:
-    """Finished rows of S in a file, with a mark of the patches they are of."""
-
-    def __init__(self, path: str, patches: Patches, how: str) -> None:
-        self.path, self.mark = path, mark_of(patches, how)
-
-    def save(self, S: NDArray[np.float32], first: int) -> None:
-        rows = S[:first]
-
-        def write(name: Any) -> None:
-            with open(name, "wb") as file:
-                np.savez(file, mark=self.mark, rows=rows)
-
-        write_atomically(self.path, write)
-
-    def load(self, S: NDArray[np.float32]) -> int:
-        """Fill the rows that are there; returns how many.  Another scene's file is left alone."""
-        if not os.path.exists(self.path):
-            return 0
-        try:
-            with np.load(self.path) as kept:
-                rows = kept["rows"] if str(kept["mark"]) == self.mark else S[:0]
-        except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
-            raise SceneError(f"{self.path} is no checkpoint: remove it ({error})") from error
-        S[: len(rows)] = rows
-        return len(rows)
-
-    def remove(self) -> None:
-        if os.path.exists(self.path):
-            os.remove(self.path)

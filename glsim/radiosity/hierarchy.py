@@ -11,10 +11,12 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.radiosity.checkpoint import Checkpoint
 from glsim.radiosity.formfactors import DIM, compute, memory_of_machine, negligible
 from glsim.radiosity.patches import Patches, length_for, number_of_cells, patches_from, subdivide
 from glsim.radiosity.quadtree import quarters
@@ -29,6 +31,7 @@ ROOTS = 1600  # about how many patches there are at most before they are divided
 DEEPEST = 6  # levels below a root
 BLOCK = 1 << 19  # pairs at a time
 ACCURACY = 5e-5  # how uneven, in mean radiosities, the light of one link may be
+NONE = np.zeros((0, 2), np.int64)  # pairs
 VARIES = 0.1  # by so much, it is assumed, the radiosity of a node's parts differs
 
 
@@ -105,6 +108,7 @@ class Links:
     tree: Tree
     ends: NDArray[np.int32]
     S: NDArray[np.float32]
+    accuracy: float
     seconds: dict[str, float] = field(default_factory=dict)
     method: str = "hierarchical"
 
@@ -127,6 +131,10 @@ class Links:
     def row_sums(self) -> Float:
         """(n,): 1 in a closed scene, less where light escapes."""
         return np.asarray(self.times(np.ones((len(self.patches), 3)))[:, 0] / self.patches.area)
+
+    def keep(self, checkpoint: str) -> None:
+        """Save them where the next ``linked`` looks."""
+        _checkpoint(checkpoint, self.tree, self.accuracy).save(ends=self.ends, S=self.S, open=NONE)
 
     def row(self, i: int) -> Float:
         """F[i, :], (n,), for one element."""
@@ -179,12 +187,12 @@ class Links:
 
 
 def linked(tree: Tree, accuracy: float = ACCURACY, threads: int | None = None, progress: Progress | None = None,
-           limit: int | None = None) -> Links:  # fmt: skip
+           limit: int | None = None, checkpoint: str | None = None) -> Links:  # fmt: skip
     """The links of a tree, each refined until the light along it is even to ``accuracy`` mean radiosities or its ends
     are elements.  How bright the nodes are is known from a solution for the roots alone.
 
-    Raises SceneError if the roots' form factors, or the links, would not fit into ``limit`` bytes (by default half of
-    the machine's memory).
+    checkpoint: see formfactors.compute.  Raises SceneError if the roots' form factors, or the links, would not fit into
+    ``limit`` bytes (by default half of the machine's memory).
     """
     tell = progress or (lambda stage, done, of: None)
     nodes, count = tree.nodes, tree.levels[1]
@@ -195,41 +203,62 @@ def linked(tree: Tree, accuracy: float = ACCURACY, threads: int | None = None, p
     B = solved(coarse, tolerance=1e-3)[-1].B
     start = time.perf_counter()
     mean = float(np.average(B.mean(axis=1), weights=roots.area))
-    refiner = _Refiner(tree, B, accuracy * mean, Visibility(nodes.scene, threads))
-    first, second = np.triu_indices(count, 1)
-    stack = [np.stack([first[k : k + BLOCK], second[k : k + BLOCK]], axis=1) for k in range(0, len(first), BLOCK)][::-1]
-    pairs = len(stack)
-    allowed = limit if limit is not None else memory_of_machine() // 2
-    while stack:
-        stack += refiner.step(stack.pop())
-        if 12 * refiner.count > allowed:
-            raise SceneError(
-                f"{12 * refiner.count / 2**30:.1f} GiB of links, and not all are found: take fewer patches (--patches)"
-                " or a lower --accuracy"
-            )
-        tell("links", pairs - min(len(stack), pairs), pairs)
-    ends, S = np.concatenate(refiner.ends), np.concatenate(refiner.S)
+    kept = _checkpoint(checkpoint, tree, accuracy)
+    refiner = _Refiner(tree, B, accuracy * mean, Visibility(nodes.scene, threads), kept.load())
+    pairs, allowed = len(refiner.open), limit if limit is not None else memory_of_machine() // 2
+    try:
+        while refiner.open:
+            refiner.step()
+            if 12 * refiner.count > allowed:
+                raise SceneError(
+                    f"{12 * refiner.count / 2**30:.1f} GiB of links, and not all are found: take fewer patches"
+                    " (--patches) or a lower --accuracy"
+                )
+            tell("links", pairs - min(len(refiner.open), pairs), pairs)
+    except KeyboardInterrupt:
+        ends, S = refiner.links()
+        kept.save(ends=ends, S=S, open=np.concatenate([NONE, *refiner.open]))
+        raise
+    kept.remove()
     seconds = {"form factors": coarse.seconds["form factors"] + coarse.seconds["visibility"],
                "links": time.perf_counter() - start}  # fmt: skip
-    return Links(tree, ends, S, seconds)
+    return Links(tree, *refiner.links(), accuracy, seconds)
+
+
+def _checkpoint(path: str | None, tree: Tree, accuracy: float) -> Checkpoint:
+    return Checkpoint(path, tree.nodes, f"hierarchical {accuracy}")
 
 
 class _Refiner:
-    def __init__(self, tree: Tree, B: Float, least: float, visibility: Visibility) -> None:
+    """state: blocks of pairs that are still open, and what is linked: ends and S.  One thing, so that an interruption
+    never finds half a step."""
+
+    def __init__(
+        self, tree: Tree, B: Float, least: float, visibility: Visibility, before: dict[str, NDArray[Any]]
+    ) -> None:
         self.tree, self.least, self.visibility = tree, least, visibility
-        self.ends: list[NDArray[np.int32]] = []
-        self.S: list[NDArray[np.float32]] = []
-        self.count = 0
         root = np.arange(len(tree.nodes))
         for low, high in zip(tree.levels[1:-1], tree.levels[2:], strict=True):
             root[low:high] = root[tree.parent[low:high]]
         self.B = B[root]
+        first = before.get("open", np.stack(np.triu_indices(tree.levels[1], 1), axis=1))
+        self.state = _blocks(first)[::-1], [(before["ends"], before["S"])] if before else []
+        self.count = len(before.get("S", ()))
 
-    def step(self, pairs: Int) -> list[Int]:
-        """Links for the pairs whose light is even enough; returns the pairs of parts that the others become."""
+    @property
+    def open(self) -> list[Int]:
+        return self.state[0]
+
+    def links(self) -> tuple[NDArray[np.int32], NDArray[np.float32]]:
+        nothing = np.zeros((0, 2), np.int32), np.zeros(0, np.float32)
+        ends, S = zip(nothing, *self.state[1], strict=True)
+        return np.concatenate(ends), np.concatenate(S)
+
+    def step(self) -> None:
+        """Links for the last block of pairs, where the light is even enough; the others become pairs of parts."""
         from glsim.radiosity.sweep import link_factors
 
-        nodes = self.tree.nodes
+        nodes, pairs = self.tree.nodes, self.open[-1]
         S, spread = np.empty(len(pairs)), np.empty((len(pairs), 2))
         link_factors(
             nodes.rings, nodes.counts, nodes.normal, nodes.center, nodes.size, self.tree.child, pairs, S, spread
@@ -243,10 +272,10 @@ class _Refiner:
         uneven &= self.tree.child[pairs] >= 0
         done = ~uneven.any(axis=1)
         kept = done & (share > 0.0)
-        self.ends.append(pairs[kept].astype(np.int32))
-        self.S.append((S * share)[kept].astype(np.float32))
-        self.count += int(kept.sum())
-        return self._parts(pairs[~done], uneven[~done])
+        parts = self._parts(pairs[~done], uneven[~done])
+        found = pairs[kept].astype(np.int32), (S * share)[kept].astype(np.float32)
+        self.count += len(found[1])
+        self.state = [*self.open[:-1], *parts], [*self.state[1], found]
 
     def _unevenness(self, pairs: Int, S: Float, spread: Float, share: Float, asked: Int) -> Float:
         """By how much the radiosity that a link brings to its ends may be wrong in their parts, (k, 2): because the
@@ -264,6 +293,7 @@ class _Refiner:
         return np.asarray(uneven)
 
     def _parts(self, pairs: Int, uneven: NDArray[np.bool_]) -> list[Int]:
+        """Pairs of the parts of those ends that are uneven, in blocks."""
         four = np.arange(4)
         parts = []
         for k in (0, 1):
@@ -276,5 +306,8 @@ class _Refiner:
         all_ = np.empty((len(both), 4, 4, 2), np.int64)
         all_[..., 0] = self.tree.child[both[:, 0], None, None] + four[:, None]
         all_[..., 1] = self.tree.child[both[:, 1], None, None] + four
-        found = np.concatenate([*parts, all_.reshape(-1, 2)])
-        return [found[k : k + BLOCK] for k in range(0, len(found), BLOCK)]
+        return _blocks(np.concatenate([*parts, all_.reshape(-1, 2)]))
+
+
+def _blocks(pairs: Int) -> list[Int]:
+    return [pairs[k : k + BLOCK] for k in range(0, len(pairs), BLOCK)]

@@ -52,12 +52,11 @@ def solve(
         tell("patches", 0, 1)
         scene = scene_from(what)
         scene = (scene.flipped() if flip else scene).checked()
-    factors: Factors
     if method == "hierarchical":
         with _timed(seconds, "patches"):
             tree = tree_of(scene, patches)
             tell("patches", 1, 1)
-        factors = linked(tree, accuracy, threads, tell)
+        found: Factors = linked(tree, accuracy, threads, tell, checkpoint=checkpoint)
     else:
         find = _finder(method, threads, scheduler, tell)
         with _timed(seconds, "patches"):
@@ -66,19 +65,23 @@ def solve(
         if adaptive:
             with _timed(seconds, "refinement"):
                 parts = refined(parts, patches, find)
-        factors = find(parts, checkpoint)
-        factors = factors.closed() if close and isinstance(factors, FormFactors) else factors
+        found = find(parts, checkpoint)
+    factors = found.closed() if close and isinstance(found, FormFactors) else found
     seconds.update(factors.seconds)
     _sees_itself(factors)
-    with _timed(seconds, "solving"):
-        steps = solved(factors, solver or _usual(factors), tolerance=tolerance, progress=on_step)
-    B = steps[-1].B
-    with _timed(seconds, "vertices"):
-        mesh = mesh_of(factors.patches)
-        at_vertices = gathered(factors, mesh, B, tell) if vertices == "gather" else averaged(factors.patches, mesh, B)
-    return Radiosity(
-        factors.patches, factors, steps, B, mesh, at_vertices, solver or _usual(factors), seconds
-    )  # fmt: skip
+    try:
+        with _timed(seconds, "solving"):
+            steps = solved(factors, solver or _usual(factors), tolerance=tolerance, progress=on_step)
+        B = steps[-1].B
+        with _timed(seconds, "vertices"):
+            mesh = mesh_of(factors.patches)
+            gather = vertices == "gather"
+            shown = gathered(factors, mesh, B, tell) if gather else averaged(factors.patches, mesh, B)
+    except KeyboardInterrupt:
+        if checkpoint:
+            found.keep(checkpoint)
+        raise
+    return Radiosity(factors.patches, factors, steps, B, mesh, shown, solver or _usual(factors), seconds)
 
 
 def _finder(method: str, threads: int | None, scheduler: str | None, tell: Progress) -> Any:
