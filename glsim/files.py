@@ -15,14 +15,19 @@ def data_folder(kind: str) -> Path:
     return inside if inside.is_dir() else package.parent / kind
 
 
+def check_folder(path: str | os.PathLike[str]) -> None:
+    """Raises FileNotFoundError if the folder of a file that is to be written does not exist."""
+    if not Path(path).parent.is_dir():
+        raise FileNotFoundError(f"cannot write {path}: there is no folder {Path(path).parent}; make it first")
+
+
 def write_atomically(path: str | os.PathLike[str], save: Callable[[str], object]) -> None:
     """Call ``save`` with a temporary name beside ``path`` and rename the result when it is whole.
 
     Raises FileNotFoundError if the folder does not exist.
     """
+    check_folder(path)
     target = Path(path)
-    if not target.parent.is_dir():
-        raise FileNotFoundError(f"cannot write {target}: there is no folder {target.parent}; make it first")
     handle, name = tempfile.mkstemp(suffix=target.suffix, prefix=f".{target.stem}-", dir=target.parent)
     os.close(handle)
     try:

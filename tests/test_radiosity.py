@@ -606,35 +606,76 @@ def test_another_scenes_checkpoint_is_left_alone(tmp_path: Path) -> None:
         compute(ours.patches, checkpoint=target)
 
 
-def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+def run(words: str) -> int:
     from glsim.cli import main
 
+    return main(["radiosity", *words.split()])
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
-    words = [
-        "radiosity",
-        "goral",
-        "--patches",
-        "100",
-        "--size",
-        "64",
-        "-o",
-        "a.png",
-        "-o",
-        "a.npz",
-        "--report",
-        "r.json",
-    ]
-    assert main([*words, "--json"]) == 0
+    return tmp_path
+
+
+def test_the_command(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    small = "goral --patches 100 --size 64"
+    assert run(f"{small} -o a.png -o a.npz --json") == 0
     record = json.loads(capsys.readouterr().out)
     assert record["status"] == "ok"
-    assert record["n"] == json.loads(Path("r.json").read_text())["n"]
-    assert {"a.png", "a.npz", "r.json"} <= {path.name for path in tmp_path.iterdir()}
-    brighter = ["radiosity", "goral", "--patches", "100", "--size", "64", "-o", "b.png", "--tone", "reinhard"]
-    assert main([*brighter, "--white", "0.1", "--gamma", "1.8"]) == 0
+    assert record["outputs"] == ["a.png", "a.npz"]
+    assert run(f"{small} --json r.json -o c.glb") == 0
+    assert "escapes" in capsys.readouterr().out
+    written = json.loads(Path("r.json").read_text())
+    assert {key: written[key] for key in ("n", "status", "method")} == {
+        key: record[key] for key in ("n", "status", "method")
+    }
+    assert sorted(path.name for path in folder.iterdir()) == ["a.npz", "a.png", "c.glb", "r.json"]
+    assert run(f"{small} -o b.png --tone reinhard --white 0.1 --gamma 1.8") == 0
     assert Path("b.png").read_bytes() != Path("a.png").read_bytes()
     capsys.readouterr()
-    assert main(["radiosity", "nowhere.glb"]) == 1
-    assert "there is no such file" in capsys.readouterr().err
-    assert main(["radiosity", "goral", "--method", "x", "--patches", "10"]) == 1
-    assert main(["radiosity", "--list"]) == 0
+    assert run("--list") == 0
     assert "cornell-closed" in capsys.readouterr().out
+    assert run("--json plates --patches 20 -o d.npz") == 0
+    assert json.loads(capsys.readouterr().out)["scene"] == "plates"
+
+
+def test_several_views(folder: Path) -> None:
+    assert run("museum --patches 600 --size 48 --views all -o a.png -o a.ply --direct d.png") == 0
+    assert sorted(path.name for path in folder.iterdir()) == ["a-0.png", "a-1.png", "a.ply", "d-0.png", "d-1.png"]
+    assert Path("a-0.png").read_bytes() != Path("a-1.png").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        ("nowhere.glb", "there is no such file, and the built-in scenes are cornell"),
+        ("goral --method x", "the methods for form factors are contour, analytic"),
+        ("goral --solver x", "the solvers are gauss-seidel, jacobi"),
+        ("goral -o a.xyz", "the name must end in .png"),
+        ("goral -o no/where/a.png", "there is no folder no/where; make it first"),
+        ("goral --json r.txt", "--json r.txt: the report's name must end in .json"),
+        ("goral --patches 30 --views 0,4 -o a.png", "goral has 1 view, numbered from 0; there is no 4"),
+        ("goral --patches 30 --method hierarchical --solver lu", "no matrix for this solver: choose cg or jacobi"),
+        ("goral --method hierarchical --adaptive", "hierarchical radiosity neither needs --adaptive"),
+    ],
+)
+def test_what_the_command_refuses(words: str, sentence: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(words) == 1
+    assert sentence in capsys.readouterr().err
+    assert not list(folder.iterdir())
+
+
+def test_the_command_interrupted(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*arguments: Any) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr("glsim.radiosity.solution.gathered", interrupted)
+        assert run("goral --patches 60 -o a.png") == 130
+    told = capsys.readouterr().err
+    assert "what is done is in a.unfinished.npz; the same command goes on with it" in told
+    assert run("goral --patches 60 -o a.png") == 0
+    assert [path.name for path in folder.iterdir()] == ["a.png"]

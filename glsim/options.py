@@ -1,0 +1,88 @@
+"""What the commands' options may be, and where they print."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from glsim.scenes import Camera, Lamp
+
+
+def count(text: str) -> int:
+    if not text.isdigit() or not 1 <= int(text) <= 1_000_000:
+        raise argparse.ArgumentTypeError(f"a number from 1 on is needed, not {text!r}")
+    return int(text)
+
+
+def rectangle(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"(\d+)x(\d+)", text)
+    if not found or not all(1 <= int(n) <= 16384 for n in found.groups()):
+        raise argparse.ArgumentTypeError(f"a size such as 640x480 is needed, not {text!r}")
+    return int(found[1]), int(found[2])
+
+
+def number(text: str) -> int:
+    if not text.isdigit() or int(text) > 1_000_000:
+        raise argparse.ArgumentTypeError(f"a number from 0 on is needed, not {text!r}")
+    return int(text)
+
+
+def positive(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0.0 < value < 1e12:
+        raise argparse.ArgumentTypeError(f"a number above 0 is needed, not {text!r}")
+    return value
+
+
+def numbers(text: str, least: int, most: int) -> list[float]:
+    try:
+        values = [float(word) for word in text.split(",")]
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"numbers separated by commas are needed, not {text!r}") from None
+    if not least <= len(values) <= most or not all(-1e6 < value < 1e6 for value in values):
+        raise argparse.ArgumentTypeError(f"{least} to {most} numbers are needed, not {text!r}")
+    return values
+
+
+def size(text: str) -> int:
+    if not text.isdigit() or not 16 <= int(text) <= 4096:
+        raise argparse.ArgumentTypeError(f"a number of pixels from 16 to 4096 is needed, not {text!r}")
+    return int(text)
+
+
+def light(text: str) -> Lamp:
+    from glsim.scenes import Lamp
+
+    x, y, z, *rest = numbers(text, 3, 5)
+    w, brightness = [*rest, 0.0, 1.0][:2] if len(rest) != 1 else (rest[0], 1.0)
+    return Lamp((x, y, z, w), brightness)
+
+
+def camera(text: str) -> Camera:
+    from glsim.scenes import Camera
+
+    values = numbers(text, 2, 3)
+    if len(values) == 3 and values[2] <= 1.0:
+        raise argparse.ArgumentTypeError(f"the distance must be more than 1 radius of the scene, not {values[2]:g}")
+    return Camera(*values)
+
+
+def check_picture_name(name: str) -> None:
+    """Before the work begins."""
+    from PIL import Image
+
+    if Path(name).suffix.lower() not in Image.registered_extensions():
+        raise ValueError(f"{name}: the name must end in .png, .jpg or another picture format")
+
+
+def console() -> Any:
+    from rich.console import Console
+
+    console = Console()
+    return console if console.is_terminal else Console(width=160)

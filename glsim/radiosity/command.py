@@ -1,0 +1,193 @@
+"""The command ``glsim radiosity``."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from glsim.files import check_folder, write_atomically, write_text
+from glsim.options import check_picture_name, console, count, positive, size
+
+if TYPE_CHECKING:
+    from glsim.radiosity.result import Radiosity
+
+DATA = (".glb", ".ply", ".npz")  # what is no picture
+
+
+def add(commands: Any) -> None:
+    text = "solve a scene's radiosity and bake it into vertex colours"
+    p = commands.add_parser("radiosity", help=text, description=text[0].upper() + text[1:] + ".")
+    p.add_argument(
+        "what", nargs="?", metavar="SCENE|FILE|SCRIPT", help="a scene (--list), a mesh file or a program (.py)"
+    )
+    p.add_argument("-o", "--output", action="append", metavar="FILE",
+                   help=".png, .glb, .ply or .npz; may be repeated (default: radiosity.png)")  # fmt: skip
+    p.add_argument("--list", action="store_true", help="list the built-in scenes")
+    p.add_argument("--json", nargs="?", const=True, default=False, metavar="FILE.json",
+                   help="print the report as one JSON object, or write it to a file")  # fmt: skip
+    _add_solution(p.add_argument_group("how it is solved"))
+    _add_picture(p.add_argument_group("what is drawn"))
+    p.set_defaults(run=_radiosity)
+
+
+def _add_solution(p: Any) -> None:
+    p.add_argument("--patches", type=count, default=2000, metavar="N", help="about how many (default: %(default)s)")
+    p.add_argument("--adaptive", action="store_true", help="smaller patches where the light changes fast")
+    p.add_argument("--method", default="contour", metavar="NAME",
+                   help="of form factors: contour (default), analytic, point, disc, monte-carlo, hemicube; or"
+                   " hierarchical: links, for more patches than a matrix has room for")  # fmt: skip
+    p.add_argument("--accuracy", type=positive, default=5e-5, metavar="A",
+                   help="of a link, in mean radiosities, for hierarchical (default: %(default)s)")  # fmt: skip
+    p.add_argument("--solver", metavar="NAME",
+                   help="gauss-seidel (default), jacobi, sor, cg, shooting, lu; where there is no matrix, for"
+                   " hierarchical and --scheduler: cg (default), jacobi")  # fmt: skip
+    p.add_argument("--tolerance", type=positive, default=1e-6, help="of the residual (default: %(default)s)")
+    p.add_argument("--vertices", default="gather", metavar="NAME",
+                   help="gather (at each vertex, default) or average (of the patches around)")  # fmt: skip
+    p.add_argument("--flip", action="store_true", help="turn all fronts to the other side")
+    p.add_argument("--close", action="store_true", help="scale form factors so that rows sum to 1: closed scenes")
+    p.add_argument("--scheduler", metavar="ADDRESS", help="use the workers of a Dask scheduler, tcp://HOST:8786")
+    p.add_argument("--resume", metavar="FILE",
+                   help="where what is done is kept at Ctrl-C, and looked for (default: beside the first output);"
+                   " with --scheduler the name under which it stays there")  # fmt: skip
+
+
+def _add_picture(p: Any) -> None:
+    p.add_argument("--size", type=size, default=512, metavar="N", help="pixels of a picture (default: %(default)s)")
+    p.add_argument("--views", type=_views, default=[0], metavar="N,...|all",
+                   help="which cameras; of several, pictures get the number in their names (default: 0)")  # fmt: skip
+    p.add_argument("--direct", metavar="FILE", help="a picture of direct illumination and radiosity side by side")
+    p.add_argument(
+        "--white", type=positive, metavar="B", help="the radiosity that becomes white (default: by the scene)"
+    )
+    p.add_argument("--tone", choices=("linear", "reinhard"), default="linear", help="tone mapping (default: linear)")
+    p.add_argument("--gamma", type=positive, default=2.2, help="of the screen (default: 2.2)")
+
+
+def _views(text: str) -> list[int] | None:
+    """Numbers of cameras; None: all."""
+    words = text.split(",")
+    if text != "all" and not all(word.isdigit() and int(word) < 1000 for word in words):
+        raise argparse.ArgumentTypeError(f"numbers of cameras from 0 on, or all, are needed, not {text!r}")
+    return None if text == "all" else [int(word) for word in words]
+
+
+def _radiosity(options: argparse.Namespace) -> int:
+    if isinstance(options.json, str) and not options.json.endswith(".json"):
+        if options.what:
+            raise ValueError(f"--json {options.json}: the report's name must end in .json")
+        options.what, options.json = options.json, True  # glsim radiosity --json SCENE
+    if options.list:
+        return _list(options)
+    if not options.what:
+        print(
+            "glsim radiosity: name a scene, a mesh file or a program; --list shows the built-in scenes", file=sys.stderr
+        )
+        return 2
+    options.output = options.output or ["radiosity.png"]
+    for name in options.output:
+        if Path(name).suffix.lower() not in DATA:
+            check_picture_name(name)
+    if options.direct:
+        check_picture_name(options.direct)
+    for name in (*options.output, options.direct, options.json):
+        if isinstance(name, str):
+            check_folder(name)
+    result = _solved(options)
+    report = {**result.report(), "outputs": _written(result, options)}
+    if isinstance(options.json, str):
+        write_text(Path(options.json), json.dumps({"status": "ok", **report}, indent=1) + "\n")
+        report["outputs"].append(options.json)
+    if options.json is True:
+        print(json.dumps({"status": "ok", **report}))
+    else:
+        _print(report)
+    return 0
+
+
+def _list(options: argparse.Namespace) -> int:
+    from glsim.radiosity.scenes import BUILT_IN
+
+    about = {name: entry.about for name, entry in BUILT_IN.items()}
+    lines = [f"  {name:16} {words}" for name, words in about.items()]
+    print(json.dumps({"scenes": about}) if options.json else "Scenes:\n" + "\n".join(lines))
+    return 0
+
+
+def _solved(options: argparse.Namespace) -> Radiosity:
+    from rich.console import Console
+    from rich.progress import Progress
+
+    from glsim.radiosity.solution import solve
+
+    kept = options.resume
+    if not kept and not options.scheduler:
+        kept = str(Path(options.output[0]).with_suffix(".unfinished.npz"))
+    stages: dict[str, Any] = {}
+    with Progress(console=Console(stderr=True), transient=True) as bars:
+
+        def progress(stage: str, done: int, of: int) -> None:
+            if stage not in stages:
+                stages[stage] = bars.add_task(stage, total=of)
+            bars.update(stages[stage], completed=done, total=of)
+
+        task = bars.add_task("solving", total=None)
+        try:
+            result = solve(
+                options.what, options.patches, method=options.method, solver=options.solver,
+                tolerance=options.tolerance, vertices=options.vertices, adaptive=options.adaptive,
+                accuracy=options.accuracy, flip=options.flip, close=options.close, checkpoint=kept,
+                scheduler=options.scheduler, progress=progress,
+                on_step=lambda step: bars.update(task, description=f"iteration {step.iteration}, {step.residual:.1e}"),
+            )  # fmt: skip
+        except KeyboardInterrupt:
+            if kept and Path(kept).exists():
+                print(f"glsim: what is done is in {kept}; the same command goes on with it", file=sys.stderr)
+            raise
+    return replace(result, white=options.white, tone=options.tone, gamma=options.gamma)
+
+
+def _written(result: Radiosity, options: argparse.Namespace) -> list[str]:
+    """Write all that was asked for; the names of the files."""
+    views = list(range(len(result.patches.scene.views))) if options.views is None else options.views
+    for view in views:
+        result.view(view)  # before anything is written
+    names = []
+    for name in options.output:
+        for view in views[:1] if Path(name).suffix.lower() in DATA else views:
+            names.append(_numbered(name, view, views))
+            result.save(names[-1], size=options.size, view=view)
+    for view in views if options.direct else []:
+        names.append(_numbered(options.direct, view, views))
+        write_atomically(names[-1], result.beside_direct(options.size, view).save)
+    return names
+
+
+def _numbered(name: str, view: int, views: list[int]) -> str:
+    path = Path(name)
+    numbered = len(views) > 1 and path.suffix.lower() not in DATA
+    return str(path.with_name(f"{path.stem}-{view}{path.suffix}")) if numbered else name
+
+
+def _print(report: dict[str, Any]) -> None:
+    from rich.table import Table
+
+    table = Table(show_header=False, title=report["scene"], title_justify="left")
+    mean, most, leak = (100.0 * report[name] for name in ("row_sum_error_mean", "row_sum_error_max", "leak"))
+    sums = f"rows sum to 1 within {mean:.4f} % in the mean, {most:.2f} % at most; {max(leak, 0.0):.3f} % escapes"
+    solved = f"{report['iterations']} iterations, residual {report['residual']:.2g}"
+    rows = [
+        ("patches", f"{report['n']}, drawn as {report['triangles']} triangles"),
+        ("form factors", f"{report['method']}; {sums}; reciprocal within {report['reciprocity']:.1g}"),
+        ("system", f"{report['solver']}, {solved}, energy balance {report['energy_balance']:.6f}"),
+        ("seconds", ", ".join(f"{stage} {value:.2f}" for stage, value in report["seconds"].items())),
+        *(("note", note) for note in report["notes"]),
+        ("wrote", ", ".join(report["outputs"])),
+    ]
+    for row in rows:
+        table.add_row(*row)
+    console().print(table)
