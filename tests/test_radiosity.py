@@ -190,6 +190,48 @@ def test_nothing_changes_when_the_scene_is_moved_turned_or_scaled(scale: float) 
     assert pytest.approx(one.F, rel=1e-5, abs=1e-9) == two.F
 
 
+def test_nothing_changes_far_from_the_origin() -> None:
+    """Rays have single precision: at a million, a unit cube would have corners of a sixteenth."""
+    scene = BUILT_IN["cornell"].make().checked()
+    away = replace(scene, rings=tuple(ring / 500.0 + (1e6, -2e6, 3e6) for ring in scene.rings)).checked()
+    one, two = (compute(subdivide(s, 150)) for s in (scene, away))
+    assert len(one.patches) == len(two.patches)
+    assert pytest.approx(one.F, abs=2e-3) == two.F
+    assert two.row_sums == pytest.approx(one.row_sums, abs=2e-3)
+
+
+def test_a_sphere_from_inside() -> None:
+    """F_ij = A_j / (4 pi R^2) wherever two patches are: with many flat patches nearly, with round ones exactly."""
+    import trimesh
+
+    b = Builder("sphere")
+    lamp, wall = Material("lamp", (0.5,) * 3, (10.0, 5.0, 0.0)), Material("wall", (0.5, 0.7, 0.9))
+    for ring in trimesh.creation.icosphere(3, radius=2.0).triangles:
+        b.add([ring[::-1]], lamp if ring[:, 1].min() > 1.0 else wall)
+    parts = subdivide(b.scene().checked(), length=100.0)
+    factors = compute(parts)
+    assert len(parts) == 1280
+    expected = np.tile(parts.area / parts.area.sum(), (len(parts), 1))
+    apart = np.linalg.norm(parts.center[:, None] - parts.center, axis=2) > 1.0
+    assert np.abs(factors.F[apart] / expected[apart] - 1.0).mean() < 0.02
+    B = solved(factors)[-1].B
+    H = (parts.area @ parts.E) / (parts.area.sum() - parts.area @ parts.rho)
+    assert pytest.approx(parts.E + parts.rho * H, rel=0.01) == B
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_round_patches_of_a_sphere(solver: str) -> None:
+    """The closed solution of analytic_cases.json, by every solver; a round patch also sees itself."""
+    case = CASES["sphere"]["example"]
+    area, E, rho = (np.array(case[name], float) for name in ("areas", "E", "rho"))
+    S = (area[:, None] * area / area.sum()).astype(np.float32)
+    for step in SOLVERS[solver](System(lambda B: S.astype(float) @ B, area, rho, E, S)):
+        if step.residual < 1e-9 or step.iteration > 2000:
+            break
+    assert pytest.approx(np.array(case["B"]), rel=1e-5) == step.B
+    assert step.balance == pytest.approx(1.0, abs=1e-6)
+
+
 def test_threads_do_not_change_the_result() -> None:
     parts = subdivide(BUILT_IN["cornell"].make().checked(), 300)
     assert np.array_equal(compute(parts, threads=1).S, compute(parts, threads=3).S)
@@ -522,11 +564,18 @@ def test_what_can_be_mended_is_noted() -> None:
     b.add([SQUARE, SQUARE, SQUARE * (1, 0, 0), twisted], LAMP)
     scene = b.scene().checked()
     assert len(scene.rings) == 3
-    assert sorted(note.split(" ", 1)[1] for note in scene.notes) == [
-        "degenerate polygons dropped",
-        "duplicate polygons dropped",
-        "polygons that were not planar split into triangles",
+    assert sorted(scene.notes) == [
+        "degenerate polygons, dropped: 1",
+        "duplicate polygons, dropped: 1",
+        "polygons that were not planar, split into triangles: 1",
     ]
+
+
+def test_what_escapes_is_told() -> None:
+    open_, closed = (radiosity.solve(name, 60).report() for name in ("plates", "furnace"))
+    assert open_["notes"] == [f"the scene is open: {100 * open_['leak']:.1f} % of what leaves its surfaces escapes"]
+    assert open_["leak"] == pytest.approx(1.0 - 0.4152, abs=2e-3)  # two facing squares, half an edge apart
+    assert closed["notes"] == []
 
 
 def test_a_scene_that_would_not_fit() -> None:

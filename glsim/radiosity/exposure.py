@@ -26,14 +26,15 @@ def exposed(patches: Patches) -> Patches:
     scene = patches.scene
     embree = EmbreeScene()
     triangles = scene.triangles()
-    TriangleMesh(embree, np.ascontiguousarray(triangles, np.float32))
+    middle = triangles.mean(axis=(0, 1))  # around which single precision is enough
+    TriangleMesh(embree, np.ascontiguousarray(triangles - middle, np.float32))
     owner = np.array([k for k, ring in enumerate(scene.rings) for _ in range(len(ring) - 2)])
     normals = np.array([normal_of(ring) for ring in scene.rings])
     lift = 1e-4 * scene.size
     covered = np.zeros(len(patches), np.int64)
     ways = _fan(patches.normal)
     for way in np.moveaxis(ways, 1, 0):
-        origins = (patches.center + lift * patches.normal).astype(np.float32)
+        origins = (patches.center - middle + lift * patches.normal).astype(np.float32)
         hit = embree.run(origins, np.ascontiguousarray(way, np.float32))
         met = owner[np.maximum(hit, 0)]
         covered += (hit >= 0) & (np.einsum("nk,nk->n", normals[met], way) > 1e-9)
@@ -46,8 +47,7 @@ def exposed(patches: Patches) -> Patches:
             f"{scene.name}: nearly all fronts look at backs: are the normals inverted? A room shows its fronts inside;"
             " --flip turns them"
         )
-    count = int(hidden.sum())
-    note = f"{count} patches left out that stand inside of bodies or lie behind coplanar polygons"
+    note = f"patches left out, inside of bodies or behind coplanar polygons: {hidden.sum()}"
     return patches_from(
         replace(scene, notes=(*scene.notes, note)), *(values[~hidden] for values in
         (patches.rings, patches.counts, patches.polygon, patches.level))

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from PIL import Image
 
 Float = NDArray[np.float64]
+OPEN = 5e-3  # share of the light that escapes, above which a scene is not just inexact
 
 
 @dataclass(frozen=True)
@@ -52,13 +53,17 @@ class Radiosity:
         sums = self.factors.row_sums
         error = np.abs(sums - 1.0)
         last = self.steps[-1]
+        leak = float(1.0 - (sums * self.patches.area).sum() / self.patches.area.sum())
+        notes = [*self.patches.scene.notes]
+        if leak > OPEN:
+            notes.append(f"the scene is open: {100.0 * leak:.1f} % of what leaves its surfaces escapes")
         return {
             "scene": self.patches.scene.name, "n": len(self.patches), "method": self.factors.method,
             "solver": self.solver, "iterations": last.iteration, "residual": last.residual,
             "row_sum_error_mean": float(error.mean()), "row_sum_error_max": float(error.max()),
-            "leak": float(1.0 - (sums * self.patches.area).sum() / self.patches.area.sum()),
+            "leak": leak,
             "reciprocity": self.factors.asymmetry, "energy_balance": last.balance, "vertices": len(self.mesh.vertices),
-            "triangles": len(self.mesh.triangles), "notes": list(self.patches.scene.notes),
+            "triangles": len(self.mesh.triangles), "notes": notes,
             "seconds": {name: round(value, 4) for name, value in self.seconds.items()},
         }  # fmt: skip
 

@@ -82,8 +82,11 @@ class Scene:
         if not self.rings:
             raise SceneError(f"{self.name}: there is no polygon")
         kept: list[tuple[Float, int, int]] = []
-        counts = {"degenerate polygons dropped": 0, "polygons that were not planar split into triangles": 0,
-                  "duplicate polygons dropped": 0}  # fmt: skip
+        flat, crooked, twice = (
+            "degenerate polygons, dropped", "polygons that were not planar, split into triangles",
+            "duplicate polygons, dropped",
+        )  # fmt: skip
+        counts = dict.fromkeys((flat, crooked, twice), 0)
         seen: set[Any] = set()
         scale = self.size
         groups = self.group or tuple(self.material)
@@ -91,15 +94,15 @@ class Scene:
             if not np.isfinite(given).all():
                 raise SceneError(f"{self.name}: polygon {number} has coordinates that are not finite numbers")
             parts = _planar(_without_repeats(np.asarray(given, np.float64), scale))
-            counts["polygons that were not planar split into triangles"] += len(parts) > 1
-            counts["degenerate polygons dropped"] += not parts
+            counts[crooked] += len(parts) > 1
+            counts[flat] += not parts
             for ring in parts:
                 key = frozenset(map(tuple, np.round(ring / scale, 7).tolist()))
-                counts["duplicate polygons dropped"] += key in seen
+                counts[twice] += key in seen
                 if key not in seen:
                     seen.add(key)
                     kept.append((ring, paint, group))
-        notes = [*self.notes, *(f"{count} {words}" for words, count in counts.items() if count)]
+        notes = [*self.notes, *(f"{words}: {count}" for words, count in counts.items() if count)]
         if not kept:
             raise SceneError(f"{self.name}: all polygons are degenerate (no area)")
         rings, materials, kept_groups = zip(*kept, strict=True)
@@ -129,6 +132,7 @@ def _check_material(material: Material) -> None:
 
 def normal_of(ring: Float) -> Float:
     """Unit normal by Newell's method; zeros if the ring has no area."""
+    ring = ring - ring[0]
     n = np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
     length = np.linalg.norm(n)
     return np.asarray(n / length if length > 0.0 else np.zeros(3))

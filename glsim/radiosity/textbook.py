@@ -35,7 +35,7 @@ def disc_or_point(patches: Patches, disc: bool, progress: Progress) -> NDArray[n
             share = (1.0 / below).mean(axis=1) / squared[there]
         else:
             share = 1.0 / (np.pi * squared[there] ** 2)
-        origins = (patches.center[i] + SHORTEN * way[there]).astype(np.float32)
+        origins = (patches.center[i] - visibility.middle + SHORTEN * way[there]).astype(np.float32)
         hit = (
             visibility.blocked(origins, ((1.0 - 2.0 * SHORTEN) * way[there]).astype(np.float32))
             if len(there)
@@ -68,7 +68,7 @@ def monte_carlo(
         )
         seen = np.flatnonzero(kernel > 0.0)
         values = np.zeros(count * samples)
-        origins = (p[seen] + SHORTEN * way[seen]).astype(np.float32)
+        origins = (p[seen] - visibility.middle + SHORTEN * way[seen]).astype(np.float32)
         if len(seen):
             hit = visibility.blocked(origins, ((1.0 - 2.0 * SHORTEN) * way[seen]).astype(np.float32))
             values[seen] = kernel[seen] / (np.pi * squared[seen] ** 2) * (hit < 0)

@@ -26,7 +26,8 @@ FIRST, MORE = 16, 48  # rays of a pair
 POINT_RAYS = 8  # from a vertex to a patch, before MORE
 FEW_RAYS = 2  # from a vertex to a patch that sends little
 CHUNK = 1 << 12  # pairs at a time, in each thread
-SHORTEN = 1e-4  # of a ray, at both ends, so that it does not meet the patches themselves
+SHORTEN = 1e-4  # of a ray, at both ends, so that it does not meet the patches themselves;
+GAP = 2e-6  # and so much of the scene's size, what single precision may be wrong
 
 # Fractional parts of k times these are evenly spread over the four-dimensional cube (Roberts 2018).
 _ROOT = 1.1673039782614187  # x^5 = x + 1
@@ -34,9 +35,15 @@ TABLE = np.outer(np.arange(FIRST + MORE), [_ROOT**-k for k in range(1, 5)]) % 1.
 
 
 @jit
+def _off(squared: float, gap: float) -> float:
+    """How much of a ray is left out at either end."""
+    return float(min(SHORTEN + gap / np.sqrt(squared), 0.5)) if squared > 0.0 else 0.5
+
+
+@jit
 def _rays(
-    rings: Any, counts: Any, normals: Any, pairs: Any, table: Any, first: int, count: int, origins: Any, ways: Any,
-    weights: Any,
+    rings: Any, counts: Any, normals: Any, pairs: Any, table: Any, gap: float, first: int, count: int, origins: Any,
+    ways: Any, weights: Any,
 ) -> None:  # fmt: skip
     """Rays first .. first + count of each pair: origins, ways (count per pair, 3) float32, and weights.
 
@@ -77,12 +84,13 @@ def _rays(
             squared = wx * wx + wy * wy + wz * wz
             c_1, c_2 = wx * mx + wy * my + wz * mz, -(wx * nx + wy * ny + wz * nz)
             at = row * count + s
-            origins[at, 0] = ax + px + SHORTEN * wx
-            origins[at, 1] = ay + py + SHORTEN * wy
-            origins[at, 2] = az + pz + SHORTEN * wz
-            ways[at, 0] = (1.0 - 2.0 * SHORTEN) * wx
-            ways[at, 1] = (1.0 - 2.0 * SHORTEN) * wy
-            ways[at, 2] = (1.0 - 2.0 * SHORTEN) * wz
+            off = _off(squared, gap)
+            origins[at, 0] = ax + px + off * wx
+            origins[at, 1] = ay + py + off * wy
+            origins[at, 2] = az + pz + off * wz
+            ways[at, 0] = (1.0 - 2.0 * off) * wx
+            ways[at, 1] = (1.0 - 2.0 * off) * wy
+            ways[at, 2] = (1.0 - 2.0 * off) * wz
             density = (o_0 + u * o_u + v * o_v) * (t_0 + x * t_x + y * t_y)
             weights[at] = density * c_1 * c_2 / (squared * squared) if c_1 > 0.0 and c_2 > 0.0 else 0.0
 
@@ -110,8 +118,8 @@ def _triple(n: Any, a: Any, b: Any) -> float:
 
 @jit
 def _point_rays(
-    points: Any, normals: Any, rows: Any, rings: Any, counts: Any, facing: Any, columns: Any, first: int, count: int,
-    origins: Any, ways: Any, weights: Any,
+    points: Any, normals: Any, rows: Any, rings: Any, counts: Any, facing: Any, columns: Any, gap: float, first: int,
+    count: int, origins: Any, ways: Any, weights: Any,
 ) -> None:  # fmt: skip
     """Rays from points to low-discrepancy points of patches (the two-dimensional sequence)."""
     q, e = np.empty(3), np.empty((4, 3))
@@ -129,8 +137,11 @@ def _point_rays(
                 squared += way * way
                 c_1 += way * normals[v, k]
                 c_2 -= way * facing[j, k]
-                origins[at, k] = points[v, k] + SHORTEN * way
-                ways[at, k] = (1.0 - 2.0 * SHORTEN) * way
+            off = _off(squared, gap)
+            for k in range(3):
+                way = q[k] - points[v, k]
+                origins[at, k] = points[v, k] + off * way
+                ways[at, k] = (1.0 - 2.0 * off) * way
             density = t_0 + x * t_x + y * t_y
             weights[at] = density * max(c_1, 0.0) * max(c_2, 0.0) / (squared * squared) if squared > 0.0 else 0.0
 
@@ -295,7 +306,8 @@ def _closed_but_for_a_plane(rings: list[Float], tolerance: float) -> bool:
 class Visibility:
     """Rays against the triangles of a scene.
 
-    Outside of ``bodies`` (see ``bodies_of``) nothing can block; None if they are too many to be of use.
+    middle: of the scene; single precision is enough around it, wherever the scene is.  Outside of ``bodies`` (see
+    ``bodies_of``) nothing can block; None if they are too many to be of use.
     """
 
     def __init__(self, scene: Scene, threads: int | None = None) -> None:
@@ -303,14 +315,17 @@ class Visibility:
         from embreex.rtcore_scene import EmbreeScene
 
         self.scene: Any = EmbreeScene()
-        self.mesh = TriangleMesh(self.scene, np.ascontiguousarray(scene.triangles(), np.float32))
+        triangles = scene.triangles()
+        self.middle = (triangles.min(axis=(0, 1)) + triangles.max(axis=(0, 1))) / 2.0
+        self.mesh = TriangleMesh(self.scene, np.ascontiguousarray(triangles - self.middle, np.float32))
+        self.gap = GAP * scene.size
         self.bodies = bodies_of(scene)
         self.local = threading.local()
         self.pool = ThreadPoolExecutor(threads or os.cpu_count() or 1)
         self.scene.run(np.zeros((1, 3), np.float32), np.ones((1, 3), np.float32))  # builds Embree's tree, once
 
     def blocked(self, origins: NDArray[np.float32], ways: NDArray[np.float32]) -> NDArray[np.int32]:
-        """For each ray, from an origin along the whole of its way: -1 if nothing is hit."""
+        """For each ray, from an origin (counted from ``middle``) along the whole of its way: -1 if nothing is hit."""
         return np.asarray(self.scene.run(origins, ways, dists=self._ones(len(origins)), query="OCCLUDED"))
 
     def _ones(self, size: int) -> NDArray[np.float32]:
@@ -330,6 +345,7 @@ class Visibility:
     ) -> tuple[Float, Int]:
         """The same, and the numbers of the pairs for which rays were needed: of the others the share is certain."""
         result, asked = self._judged(centers, radii, pairs)
+        rings = rings - self.middle
         chunks = [asked[k : k + CHUNK] for k in range(0, len(asked), CHUNK)]
         work = self.pool.map(lambda chunk: self._chunk(rings, counts, normals, pairs[chunk]), chunks)
         for chunk, values in zip(chunks, work, strict=True):
@@ -361,12 +377,13 @@ class Visibility:
         radii = np.concatenate([np.zeros(len(points)), patches.size / 2.0])
         result, asked = self._judged(centers, radii, np.stack([rows, columns + len(points)], axis=1))
         few, many = asked[dim[asked]], asked[~dim[asked]]
+        points, rings = points - self.middle, patches.rings - self.middle
         work = [(few[k : k + CHUNK], FEW_RAYS, 0) for k in range(0, len(few), CHUNK)]
         work += [(many[k : k + CHUNK], POINT_RAYS, MORE) for k in range(0, len(many), CHUNK)]
 
         def one(chunk: Int, count: int, more: int) -> Float:
             seen, total = np.zeros(len(chunk)), np.zeros(len(chunk))
-            arrays = (points, ways, rows[chunk], patches.rings, patches.counts, patches.normal, columns[chunk])
+            arrays = (points, ways, rows[chunk], rings, patches.counts, patches.normal, columns[chunk])
             self._send(arrays, 0, count, seen, total)
             mixed = np.flatnonzero((seen > 0.0) & (seen < total))
             if more and len(mixed):
@@ -384,7 +401,9 @@ class Visibility:
     def _send(self, arrays: Any, first: int, count: int, seen: Float, total: Float) -> None:
         origins, ways, weights = self._room(len(seen) * count)
         points, normals, rows, rings, counts, facing, columns = arrays
-        _point_rays(points, normals, rows, rings, counts, facing, columns, first, count, origins, ways, weights)
+        _point_rays(
+            points, normals, rows, rings, counts, facing, columns, self.gap, first, count, origins, ways, weights
+        )
         _add(weights, self.blocked(origins, ways), count, seen, total)
 
     def _chunk(self, rings: Float, counts: Int, normals: Float, pairs: Int) -> Float:
@@ -402,7 +421,7 @@ class Visibility:
         self, rings: Float, counts: Int, normals: Float, pairs: Int, first: int, count: int, seen: Float, total: Float
     ) -> None:
         origins, ways, weights = self._room(len(pairs) * count)
-        _rays(rings, counts, normals, pairs, TABLE, first, count, origins, ways, weights)
+        _rays(rings, counts, normals, pairs, TABLE, self.gap, first, count, origins, ways, weights)
         _add(weights, self.blocked(origins, ways), count, seen, total)
 
     def _room(self, size: int) -> tuple[NDArray[np.float32], NDArray[np.float32], Float]:
