@@ -28,6 +28,7 @@ from glsim.radiosity.scene import Builder, Material, Scene, SceneError, box, nor
 from glsim.radiosity.scenes import BUILT_IN
 from glsim.radiosity.solvers import SOLVERS, System, solved
 from glsim.radiosity.textbook import monte_carlo
+from glsim.radiosity.visibility import Visibility
 
 REFERENCE = Path(__file__).parent / "reference"
 CASES = json.loads((REFERENCE / "analytic_cases.json").read_text())
@@ -251,6 +252,37 @@ def test_blocked_pairs_against_monte_carlo() -> None:
     assert np.quantile(deviations, 0.99) < 3
     far = apart > parts.size[:, None] + parts.size
     assert ours.S[far].sum() == pytest.approx(S[far].sum(), rel=5e-3)
+
+
+@pytest.mark.parametrize("name", ["cornell", "museum", "factory"])
+def test_what_bodies_tell_agrees_with_rays(name: str) -> None:
+    """Weighted by form factors: rays that graze a wall may be wrong where hardly any light goes."""
+    parts = subdivide(BUILT_IN[name].make().checked(), 700)
+    S = compute(parts, "analytic").S
+    i, j = np.nonzero(np.triu(S))
+    arrays = parts.rings, parts.counts, parts.normal, np.stack([i, j], axis=1)
+    with_bodies, rays_alone = Visibility(parts.scene), Visibility(parts.scene)
+    rays_alone.bodies = None
+    share, asked = with_bodies.asked(*arrays)
+    everywhere, all_asked = rays_alone.asked(*arrays)
+    assert len(asked) < len(all_asked) == len(i)
+    sure = np.setdiff1d(np.arange(len(i)), asked)
+    assert set(np.unique(share[sure])) == {0.0, 1.0}
+    assert np.array_equal(share[asked], everywhere[asked])
+    assert (S[i, j] * np.abs(share - everywhere)).sum() < 1e-5 * S[i, j].sum()
+
+
+def test_a_thin_wall_blocks() -> None:
+    """Alone in a room, with one face or two: as thin as can be."""
+    for faces in (1, 2):
+        b = Builder("wall")
+        b.add(box((0, 0, 0), (2, 2, 2), inside=True), Material("room", (0.5,) * 3, (1.0,) * 3))
+        screen = quad((1, 0, 0), (1, 2, 0), (1, 2, 2), (1, 0, 2))
+        b.add([screen, screen[::-1]][:faces], Material("screen", (0.5,) * 3))
+        parts = subdivide(b.scene().checked(), 200)
+        S = compute(parts).S
+        left, right = (np.flatnonzero((side * (parts.center[:, 0] - 1.0)) > 0.01) for side in (1.0, -1.0))
+        assert S[np.ix_(left, right)].sum() < 1e-6 * S[np.ix_(left, left)].sum()
 
 
 @pytest.mark.parametrize("method", [name for name in METHODS if name != "hierarchical"])

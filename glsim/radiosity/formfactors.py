@@ -217,7 +217,7 @@ def upper_rows(
     if visibility is not None:
         rows, columns = np.nonzero(out[:, first:])
         pairs = np.stack([rows + first, columns + first], axis=1)
-        shares = visibility.fractions(p.rings, p.counts, p.normal, p.center, p.size / 2.0, pairs)
+        shares = visibility.fractions(p.rings, p.counts, p.normal, pairs)
         out[rows, columns + first] *= shares.astype(np.float32)
     seconds["form factors"] += middle - start
     seconds["visibility"] += time.perf_counter() - middle

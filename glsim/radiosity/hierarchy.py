@@ -265,9 +265,7 @@ class _Refiner:
         )
         seeing = np.flatnonzero(S > 0.0)
         pairs, S, spread = pairs[seeing], S[seeing], spread[seeing]
-        share, asked = self.visibility.asked(
-            nodes.rings, nodes.counts, nodes.normal, nodes.center, nodes.size / 2, pairs
-        )
+        share, asked = self.visibility.asked(nodes.rings, nodes.counts, nodes.normal, pairs)
         uneven = self._unevenness(pairs, S, spread, share, asked) > self.least
         uneven &= self.tree.child[pairs] >= 0
         done = ~uneven.any(axis=1)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.patches import Patches
-from glsim.radiosity.visibility import SHORTEN, Visibility
+from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]
 Progress = Callable[[str, int, int], object]
@@ -35,13 +35,8 @@ def disc_or_point(patches: Patches, disc: bool, progress: Progress) -> NDArray[n
             share = (1.0 / below).mean(axis=1) / squared[there]
         else:
             share = 1.0 / (np.pi * squared[there] ** 2)
-        origins = (patches.center[i] - visibility.middle + SHORTEN * way[there]).astype(np.float32)
-        hit = (
-            visibility.blocked(origins, ((1.0 - 2.0 * SHORTEN) * way[there]).astype(np.float32))
-            if len(there)
-            else there
-        )
-        values = area[i] * area[i + 1 :][there] * kernel[there] * share * (hit < 0)
+        seen = visibility.between(np.broadcast_to(patches.center[i], (len(there), 3)), patches.center[i + 1 + there])
+        values = area[i] * area[i + 1 :][there] * kernel[there] * share * seen
         S[i, i + 1 + there] = S[i + 1 + there, i] = values
         progress("form factors", i + 1, n)
     return S
@@ -68,10 +63,8 @@ def monte_carlo(
         )
         seen = np.flatnonzero(kernel > 0.0)
         values = np.zeros(count * samples)
-        origins = (p[seen] - visibility.middle + SHORTEN * way[seen]).astype(np.float32)
-        if len(seen):
-            hit = visibility.blocked(origins, ((1.0 - 2.0 * SHORTEN) * way[seen]).astype(np.float32))
-            values[seen] = kernel[seen] / (np.pi * squared[seen] ** 2) * (hit < 0)
+        free = visibility.between(p[seen], p[seen] + way[seen])
+        values[seen] = kernel[seen] / (np.pi * squared[seen] ** 2) * free
         values = values.reshape(count, samples) * (patches.area[i] * patches.area[i + 1 :])[:, None]
         S[i, i + 1 :] = S[i + 1 :, i] = values.mean(axis=1)
         error[i, i + 1 :] = error[i + 1 :, i] = values.std(axis=1, ddof=1) / np.sqrt(samples)

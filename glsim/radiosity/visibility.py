@@ -26,8 +26,7 @@ FIRST, MORE = 16, 48  # rays of a pair
 POINT_RAYS = 8  # from a vertex to a patch, before MORE
 FEW_RAYS = 2  # from a vertex to a patch that sends little
 CHUNK = 1 << 12  # pairs at a time, in each thread
-SHORTEN = 1e-4  # of a ray, at both ends, so that it does not meet the patches themselves;
-GAP = 2e-6  # and so much of the scene's size, what single precision may be wrong
+GAP = 1e-5  # of the scene's size, left out at both ends of a ray, so that it does not meet the patches themselves
 
 # Fractional parts of k times these are evenly spread over the four-dimensional cube (Roberts 2018).
 _ROOT = 1.1673039782614187  # x^5 = x + 1
@@ -37,7 +36,7 @@ TABLE = np.outer(np.arange(FIRST + MORE), [_ROOT**-k for k in range(1, 5)]) % 1.
 @jit
 def _off(squared: float, gap: float) -> float:
     """How much of a ray is left out at either end."""
-    return float(min(SHORTEN + gap / np.sqrt(squared), 0.5)) if squared > 0.0 else 0.5
+    return float(min(gap / np.sqrt(squared), 0.5)) if squared > 0.0 else 0.5
 
 
 @jit
@@ -175,52 +174,64 @@ SEEN, ASK, HIDDEN = 1, 2, 0  # what the bodies alone tell of a pair
 
 
 @jit
-def judge(centers: Any, radii: Any, pairs: Any, planes: Any, counts: Any, solid: Any, out: Any) -> None:
-    """What convex bodies tell of pairs of patches, by the capsule around each pair: SEEN if it misses all of them,
-    HIDDEN if all of it goes through one that is ``solid`` (k,), else ASK.
+def judge(one: Any, two: Any, rows: Any, columns: Any, starts: Any, solid: Any, out: Any) -> None:
+    """What convex bodies tell of pairs, by the hull of both ends: SEEN if it misses all bodies, HIDDEN if all of it
+    goes through one that is ``solid`` (k,), else ASK.
 
-    planes: (k, m, 4), of which ``counts`` (k,) are in use: a body is where n.p <= d for all of its (n, d).
+    one, two: (n, m, 2), see Bodies.reach, of the ends ``rows`` and ``columns``; starts: (k + 1,), body b has the planes
+    starts[b] to starts[b + 1].  At t between the ends the least distance from a plane is (1 - t) a + t b exactly.
     """
-    for row in range(len(pairs)):
-        i, j = pairs[row, 0], pairs[row, 1]
-        r = max(radii[i], radii[j])
+    for row in range(len(rows)):
+        i, j = rows[row], columns[row]
         out[row] = SEEN
-        for b in range(len(planes)):
-            enter = enter_core = 0.0
-            leave = leave_core = 1.0
-            for m in range(counts[b]):
-                start = end = -planes[b, m, 3]
-                for k in range(3):
-                    start += planes[b, m, k] * centers[i, k]
-                    end += planes[b, m, k] * centers[j, k]
-                along = end - start
-                if along == 0.0:
-                    along = 1e-300
-                t = (r - start) / along
-                core = (-r - start) / along
-                if along > 0.0:
-                    leave, leave_core = min(leave, t), min(leave_core, core)
-                else:
-                    enter, enter_core = max(enter, t), max(enter_core, core)
-                if enter > leave:
+        for b in range(len(solid)):
+            enter = enter_whole = 0.0
+            leave = leave_whole = 1.0
+            for m in range(starts[b], starts[b + 1]):
+                enter, leave = _behind(one[i, m, 0], two[j, m, 0], enter, leave)
+                if leave - enter < TOUCH:
                     break
-            if enter <= leave:
-                if solid[b] and enter_core < leave_core:
+                enter_whole, leave_whole = _behind(one[i, m, 1], two[j, m, 1], enter_whole, leave_whole)
+            if leave - enter >= TOUCH:
+                if solid[b] and leave_whole - enter_whole >= TOUCH:
                     out[row] = HIDDEN
                     break
                 out[row] = ASK
 
 
+@jit
+def _behind(a: float, b: float, enter: float, leave: float) -> tuple[float, float]:
+    """Where between enter and leave (1 - t) a + t b is at most 0."""
+    if a > 0.0:
+        return (max(enter, a / (a - b)), leave) if b < 0.0 else (1.0, 0.0)
+    return (enter, min(leave, a / (a - b))) if b > 0.0 else (enter, leave)
+
+
 @dataclass(frozen=True)
 class Bodies:
-    """Convex bodies outside of which nothing can stand in between: see ``judge``."""
+    """Convex bodies outside of which nothing can stand in between.
+
+    planes: (m, 4), a body is where n.p <= d for all of its (n, d); starts: (k + 1,), where each body's begin; solid:
+    (k,), whether nothing goes through without meeting a polygon.
+    """
 
     planes: Float
-    counts: Int
+    starts: Int
     solid: NDArray[np.bool_]
+
+    def reach(self, corners: Float) -> NDArray[np.float32]:
+        """How far in front of each plane what has these corners (n, c, 3) is: least and most, (n, m, 2)."""
+        result = np.empty((len(corners), len(self.planes), 2), np.float32)
+        for first in range(0, len(corners), CHUNK):
+            away = corners[first : first + CHUNK] @ self.planes[:, :3].T - self.planes[:, 3]
+            result[first : first + CHUNK, :, 0] = away.min(axis=1)
+            result[first : first + CHUNK, :, 1] = away.max(axis=1)
+        return result
 
 
 MOST_BODIES, MOST_PLANES = 48, 24  # more are not worth asking
+TOUCH = 1e-6  # of the way between two ends: what is shorter only touches
+THIN = 1e-4  # of the scene's size: thinner bodies are taken a little thicker
 
 
 def bodies_of(scene: Scene) -> Bodies | None:
@@ -232,20 +243,24 @@ def bodies_of(scene: Scene) -> Bodies | None:
     if len(scene.rings) > 4000:
         return None
     points = np.concatenate(scene.rings)
-    tolerance = 1e-4 * scene.size
+    tolerance = THIN * scene.size
     inner = [ring for ring in scene.rings if ((points - ring[0]) @ normal_of(ring)).min() < -tolerance]
     groups = _connected(inner, tolerance)
     if len(groups) > MOST_BODIES:
         return None
-    planes, counts = np.zeros((len(groups), MOST_PLANES, 4)), np.zeros(len(groups), np.int64)
-    solid = np.zeros(len(groups), np.bool_)
-    for number, rings in enumerate(groups):
-        found = _box_planes(rings)
-        own = _own_planes(rings, tolerance)
-        if own is not None and len(found) + len(own) <= MOST_PLANES:
-            found, solid[number] = np.concatenate([found, own]), _closed_but_for_a_plane(rings, tolerance)
-        planes[number, : len(found)], counts[number] = found, len(found)
-    return Bodies(planes, counts, solid)
+    planes, starts, solid = [np.zeros((0, 4))], [0], []
+    for rings in groups:
+        found, own = _box_planes(rings), _own_planes(rings, tolerance)
+        convex = own is not None and len(found) + len(own) <= MOST_PLANES
+        if own is not None and convex:
+            found = np.concatenate([found, own])
+        within = np.concatenate(rings) @ found[:, :3].T
+        if float((found[:, 3] - within.min(axis=0)).min()) < tolerance:
+            found = found + np.array([0.0, 0.0, 0.0, tolerance / 10.0])
+        planes.append(found)
+        starts.append(starts[-1] + len(found))
+        solid.append(convex and _closed_but_for_a_plane(rings, tolerance))
+    return Bodies(np.concatenate(planes), np.array(starts), np.array(solid, np.bool_))
 
 
 def _connected(rings: list[Float], tolerance: float) -> list[list[Float]]:
@@ -320,6 +335,7 @@ class Visibility:
         self.mesh = TriangleMesh(self.scene, np.ascontiguousarray(triangles - self.middle, np.float32))
         self.gap = GAP * scene.size
         self.bodies = bodies_of(scene)
+        self.kept: tuple[Float, NDArray[np.float32]] | None = None
         self.local = threading.local()
         self.pool = ThreadPoolExecutor(threads or os.cpu_count() or 1)
         self.scene.run(np.zeros((1, 3), np.float32), np.ones((1, 3), np.float32))  # builds Embree's tree, once
@@ -327,6 +343,13 @@ class Visibility:
     def blocked(self, origins: NDArray[np.float32], ways: NDArray[np.float32]) -> NDArray[np.int32]:
         """For each ray, from an origin (counted from ``middle``) along the whole of its way: -1 if nothing is hit."""
         return np.asarray(self.scene.run(origins, ways, dists=self._ones(len(origins)), query="OCCLUDED"))
+
+    def between(self, starts: Float, ends: Float) -> NDArray[np.bool_]:
+        """Whether points (n, 3) see other points."""
+        way = ends - starts
+        off = np.minimum(self.gap / np.maximum(np.linalg.norm(way, axis=1), 1e-300), 0.5)[:, None]
+        origins = (starts - self.middle + off * way).astype(np.float32)
+        return self.blocked(origins, ((1.0 - 2.0 * off) * way).astype(np.float32)) < 0
 
     def _ones(self, size: int) -> NDArray[np.float32]:
         """How far rays go: the whole way.  Embree writes into it."""
@@ -336,15 +359,14 @@ class Visibility:
         kept[:size] = 1.0
         return np.asarray(kept[:size])
 
-    def fractions(self, rings: Float, counts: Int, normals: Float, centers: Float, radii: Float, pairs: Int) -> Float:
+    def fractions(self, rings: Float, counts: Int, normals: Float, pairs: Int) -> Float:
         """The share of the form factor of each pair (k, 2) that is not blocked, (k,) in [0, 1]."""
-        return self.asked(rings, counts, normals, centers, radii, pairs)[0]
+        return self.asked(rings, counts, normals, pairs)[0]
 
-    def asked(
-        self, rings: Float, counts: Int, normals: Float, centers: Float, radii: Float, pairs: Int
-    ) -> tuple[Float, Int]:
+    def asked(self, rings: Float, counts: Int, normals: Float, pairs: Int) -> tuple[Float, Int]:
         """The same, and the numbers of the pairs for which rays were needed: of the others the share is certain."""
-        result, asked = self._judged(centers, radii, pairs)
+        reach = self._reach_of(rings)
+        result, asked = self._judged(reach, reach, pairs[:, 0], pairs[:, 1])
         rings = rings - self.middle
         chunks = [asked[k : k + CHUNK] for k in range(0, len(asked), CHUNK)]
         work = self.pool.map(lambda chunk: self._chunk(rings, counts, normals, pairs[chunk]), chunks)
@@ -352,20 +374,28 @@ class Visibility:
             result[chunk] = values
         return result, asked
 
-    def _judged(self, centers: Float, radii: Float, pairs: Int) -> tuple[Float, Int]:
+    def _reach_of(self, rings: Float) -> NDArray[np.float32] | None:
+        """Bodies.reach, remembered for the patches that were asked for last."""
+        if self.bodies is None:
+            return None
+        if self.kept is None or self.kept[0] is not rings:
+            self.kept = rings, self.bodies.reach(rings)
+        return self.kept[1]
+
+    def _judged(
+        self, one: NDArray[np.float32] | None, two: NDArray[np.float32] | None, rows: Int, columns: Int
+    ) -> tuple[Float, Int]:
         """The share of each pair that is seen, as far as the bodies tell, and which pairs need rays."""
         bodies = self.bodies
         if bodies is None:
-            return np.ones(len(pairs)), np.arange(len(pairs))
-        if not len(bodies.counts):  # nothing can stand in between
-            return np.ones(len(pairs)), np.arange(0)
-        verdict = np.empty(len(pairs), np.uint8)
-        parts = [slice(k, k + CHUNK) for k in range(0, len(pairs), CHUNK)]
-        list(
-            self.pool.map(
-                lambda k: judge(centers, radii, pairs[k], bodies.planes, bodies.counts, bodies.solid, verdict[k]), parts
-            )
-        )
+            return np.ones(len(rows)), np.arange(len(rows))
+        verdict = np.empty(len(rows), np.uint8)
+
+        def judged(k: int) -> None:
+            part = slice(k, k + CHUNK)
+            judge(one, two, rows[part], columns[part], bodies.starts, bodies.solid, verdict[part])
+
+        list(self.pool.map(judged, range(0, len(rows), CHUNK)))
         return (verdict != HIDDEN).astype(np.float64), np.flatnonzero(verdict == ASK)
 
     def from_points(
@@ -373,9 +403,8 @@ class Visibility:
     ) -> Float:
         """The share of the form factor from points[rows], with normals ``ways``, to patches[columns] that is seen.
         Those from which little light comes (``dim``) get fewer rays."""
-        centers = np.concatenate([points, patches.center])
-        radii = np.concatenate([np.zeros(len(points)), patches.size / 2.0])
-        result, asked = self._judged(centers, radii, np.stack([rows, columns + len(points)], axis=1))
+        reach = self.bodies.reach(points[:, None]) if self.bodies is not None else None
+        result, asked = self._judged(reach, self._reach_of(patches.rings), rows, columns)
         few, many = asked[dim[asked]], asked[~dim[asked]]
         points, rings = points - self.middle, patches.rings - self.middle
         work = [(few[k : k + CHUNK], FEW_RAYS, 0) for k in range(0, len(few), CHUNK)]
