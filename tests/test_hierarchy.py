@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -13,7 +12,7 @@ pytest.importorskip("embreex")
 
 from glsim import radiosity
 from glsim.radiosity.adapt import refined
-from glsim.radiosity.bake import gathered
+from glsim.radiosity.bake import gathered, radiosity_at
 from glsim.radiosity.formfactors import FormFactors, compute
 from glsim.radiosity.hierarchy import Links, Tree, linked, tree_of, tree_over
 from glsim.radiosity.mesh import mesh_of, outline
@@ -217,11 +216,9 @@ def test_adaptive_patches_show_more_with_as_many() -> None:
     B = solved(fine)[-1].B
     adaptive = compute(refined(subdivide(room, 250), 1000, compute))
     uniform = compute(subdivide(room, len(adaptive.patches)))
-    mesh = mesh_of(fine.patches)
     floor = np.flatnonzero(fine.patches.polygon == 0)
     nearest = floor[np.argmin(np.linalg.norm(fine.patches.center[floor, None] - points, axis=2), axis=0)]
-    there = replace(mesh, vertices=points, at=points, normals=np.tile([0.0, 1.0, 0.0], (400, 1)), patch=nearest)
-    true = gathered(fine, there, B)
+    true = radiosity_at(fine, points, np.tile([0.0, 1.0, 0.0], (400, 1)), nearest, B)
     seen = true.max(axis=1) > 0.0  # not below the blocks
     wrong = [np.sqrt(((shown_on_the_floor(found, points) - true)[seen] ** 2).mean()) for found in (adaptive, uniform)]
     assert wrong[0] < 0.8 * wrong[1]

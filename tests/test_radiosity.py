@@ -18,7 +18,7 @@ pytest.importorskip("embreex")
 
 from glsim import radiosity
 from glsim.radiosity import kernels
-from glsim.radiosity.bake import averaged, gathered, toned
+from glsim.radiosity.bake import averaged, gathered, radiosity_at, toned, unevenness
 from glsim.radiosity.formfactors import METHODS, FormFactors, compute
 from glsim.radiosity.hemicube import delta_form_factors, hemicube
 from glsim.radiosity.load import scene_from
@@ -390,13 +390,31 @@ def test_gathering_at_points(
 ) -> None:
     """A final gather at the middles of the patches, against path tracing there."""
     parts, B, factors = on_reference
-    mesh = replace(
-        mesh_of(parts), vertices=traced["centre"], at=traced["centre"], normals=traced["normal"],
-        patch=np.arange(len(parts)),
-    )  # fmt: skip
-    rms, bias = deviation(gathered(factors, mesh, B), traced, "B_centre")
+    shown = radiosity_at(factors, traced["centre"], traced["normal"], np.arange(len(parts)), B)
+    rms, bias = deviation(shown, traced, "B_centre")
     assert rms < 0.009
     assert abs(bias) < 0.002
+
+
+def test_vertices_where_light_changes_fast() -> None:
+    """At the vertices, most of which are in corners and at shadows, against a gather from ten times the patches."""
+    scene = BUILT_IN["cornell"].make().checked()
+    coarse, fine = (compute(subdivide(scene, count)) for count in (500, 5000))
+    B, B_fine = (solved(factors)[-1].B for factors in (coarse, fine))
+    mesh, mesh_fine = (mesh_of(factors.patches) for factors in (coarse, fine))
+    bright = gathered(fine, mesh_fine, B_fine)[mesh_fine.corners]
+    H = radiosity_at(fine, mesh.at, mesh.normals, np.zeros(len(mesh.at), int), B_fine) - fine.patches.E[0]
+    H = H / fine.patches.rho[0] + unevenness(fine.patches, mesh.at, mesh.normals, bright)
+    true = coarse.patches.E[mesh.patch] + coarse.patches.rho[mesh.patch] * H
+    even = radiosity_at(coarse, mesh.at, mesh.normals, mesh.patch, B)
+    dark = coarse.patches.E[mesh.patch].max(axis=1) == 0.0
+
+    def rms(shown: np.ndarray) -> float:
+        return float(np.sqrt(((shown - true)[dark] ** 2).sum() / (true[dark] ** 2).sum()))
+
+    assert rms(gathered(coarse, mesh, B)) < 0.014
+    assert rms(even) < 0.03  # if patches were evenly bright
+    assert 0.1 < rms(averaged(coarse.patches, mesh, B)) < 0.2  # as textbooks do it
 
 
 # ---------------------------------------------------------------- patches, vertices, files

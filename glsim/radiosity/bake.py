@@ -15,26 +15,59 @@ from numpy.typing import NDArray
 from glsim.radiosity.mesh import Mesh
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.solvers import Factors
+from glsim.radiosity.sweep import uneven
+from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]
+Int = NDArray[np.int64]
 Progress = Callable[[str, int, int], object]
-AT_ONCE = 1024  # vertices
+AT_ONCE = 1024  # points
+NEAR = 0.02  # form factors from which on it matters that a patch is not evenly bright
 
 
-def gathered(factors: Factors, mesh: Mesh, B: Float, progress: Progress | None = None) -> Float:
-    """Radiosity at the vertices (V, 3): E + rho times the irradiance that all patches send there."""
-    from glsim.radiosity.visibility import Visibility
-
+def radiosity_at(
+    factors: Factors, points: Float, normals: Float, patch: Int, B: Float, progress: Progress | None = None
+) -> Float:
+    """Radiosity (k, 3) at points on the patches ``patch``: E + rho times the irradiance that all patches send there."""
     tell = progress or (lambda stage, done, of: None)
     patches = factors.patches
     visibility = Visibility(patches.scene)
-    points = mesh.at + 1e-6 * patches.scene.size * mesh.normals
+    raised = points + 1e-6 * patches.scene.size * normals
     H = np.empty((len(points), 3))
     for first in range(0, len(points), AT_ONCE):
         now = slice(first, min(first + AT_ONCE, len(points)))
-        H[now] = factors.at_points(visibility, points[now], mesh.normals[now], mesh.patch[now], B)
+        H[now] = factors.at_points(visibility, raised[now], normals[now], patch[now], B)
         tell("vertices", now.stop, len(points))
-    return np.asarray(patches.E[mesh.patch] + patches.rho[mesh.patch] * H)
+    return np.asarray(patches.E[patch] + patches.rho[patch] * H)
+
+
+def gathered(factors: Factors, mesh: Mesh, B: Float, progress: Progress | None = None) -> Float:
+    """Radiosity at the vertices (V, 3).  First as if each patch were evenly bright; then, where a patch is near, with
+    what this shows between its corners."""
+    even = radiosity_at(factors, mesh.at, mesh.normals, mesh.patch, B, progress)
+    shown = even
+    for _ in range(2):  # the second with corners that the first has mended
+        added = unevenness(factors.patches, mesh.at, mesh.normals, shown[mesh.corners])
+        shown = np.maximum(even + factors.patches.rho[mesh.patch] * added, 0.0)
+    return np.asarray(shown)
+
+
+def unevenness(patches: Patches, points: Float, normals: Float, bright: Float) -> Float:
+    """What it adds to the irradiance at points (k, 3) that patches near them are as bright as ``bright`` (n, 4, 3)
+    between their corners, and not evenly."""
+    from scipy.spatial import cKDTree
+
+    points = points + 1e-6 * patches.scene.size * normals
+    around = cKDTree(points).query_ball_point(patches.center, patches.size)
+    columns = np.repeat(np.arange(len(patches)), [len(some) for some in around])
+    rows = np.concatenate([np.asarray(some, np.int64) for some in around])
+    added = np.zeros((len(rows), 3))
+    uneven(points, normals, rows, patches.rings, patches.counts, patches.normal, columns, bright, NEAR, added)
+    near = np.flatnonzero(added.any(axis=1))
+    rows, columns, added = rows[near], columns[near], added[near]
+    many = np.zeros(len(rows), np.bool_)
+    seen = Visibility(patches.scene).from_points(points, normals, patches, rows, columns, many)
+    return np.stack([np.bincount(rows, seen * added[:, k], len(points)) for k in range(3)], axis=1)
 
 
 def averaged(patches: Patches, mesh: Mesh, B: Float) -> Float:

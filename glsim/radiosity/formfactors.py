@@ -26,8 +26,8 @@ Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 Progress = Callable[[str, int, int], object]  # stage, done, of
 BLOCK = 1 << 21  # pairs at a time
-NEGLIGIBLE = 1e-5  # of the mean radiosity: such contributions to a point are left out
-DIM = 30.0  # times that: for such contributions few rays are enough
+NEGLIGIBLE = 0.02  # of what a patch sends to a point in the mean: less is left out
+DIM = 3e-4  # of what all send to a point in the mean: for less, few rays are enough
 METHODS = {
     "contour": "each polygon whole: contour integrals near, Lambert's formula far, visibility by rays",
     "analytic": "the same without visibility: nothing blocks anything",
@@ -102,18 +102,20 @@ def irradiance(patches: Patches, visibility: Visibility, points: Float, ways: Fl
     from glsim.radiosity import kernels
 
     p = patches
-    least = negligible(p, B) / np.maximum(B.max(axis=1), 1e-300)
+    bright = brightness(p, B)
+    least = NEGLIGIBLE / len(p) / bright
     factors = np.zeros((len(points), len(p)))
     kernels.gather(points, ways, p.rings, p.counts, p.normal, p.center, p.size, least, factors)
     rows, columns = np.nonzero(factors)
-    dim = factors[rows, columns] < DIM * least[columns]
+    dim = factors[rows, columns] < DIM / bright[columns]
     factors[rows, columns] *= visibility.from_points(points, ways, p, rows, columns, dim)
     return np.asarray(factors @ B)
 
 
-def negligible(patches: Patches, B: Float) -> float:
-    """The irradiance below which a contribution to a point is left out."""
-    return NEGLIGIBLE * float(np.average(B.max(axis=1), weights=patches.area))
+def brightness(patches: Patches, B: Float) -> Float:
+    """(n,): the radiosity of patches, as a part of the mean of all."""
+    most = B.max(axis=1)
+    return np.asarray(np.maximum(most / max(float(np.average(most, weights=patches.area)), 1e-300), 1e-300))
 
 
 def memory_needed(n: int) -> int:

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.checkpoint import Checkpoint
-from glsim.radiosity.formfactors import DIM, compute, memory_of_machine, negligible
+from glsim.radiosity.formfactors import DIM, NEGLIGIBLE, brightness, compute, memory_of_machine
 from glsim.radiosity.patches import Patches, length_for, number_of_cells, patches_from, subdivide
 from glsim.radiosity.quadtree import quarters
 from glsim.radiosity.scene import Scene, SceneError
@@ -32,6 +32,7 @@ DEEPEST = 6  # levels below a root
 BLOCK = 1 << 19  # pairs at a time
 ACCURACY = 5e-5  # how uneven, in mean radiosities, the light of one link may be
 NONE = np.zeros((0, 2), np.int64)  # pairs
+SENDERS = 4000  # about as many nodes send light to a point
 VARIES = 0.1  # by so much, it is assumed, the radiosity of a node's parts differs
 
 
@@ -155,8 +156,9 @@ class Links:
 
         from glsim.radiosity.sweep import links_at
 
-        nodes, bright = self.tree.nodes, self.tree.pulled(B)
-        least = negligible(self.patches, B) / np.maximum(bright.max(axis=1), 1e-300)
+        nodes, radiosity = self.tree.nodes, self.tree.pulled(B)
+        bright = brightness(nodes, radiosity)
+        least = NEGLIGIBLE / SENDERS / bright
         starts, others = self.by_node
 
         def found(part: Int) -> tuple[Int, Int, Float]:
@@ -167,10 +169,10 @@ class Links:
 
         parts = np.array_split(np.arange(len(points)), 8)
         rows, columns, factors = map(np.concatenate, zip(*visibility.pool.map(found, parts), strict=True))
-        dim = factors < DIM * least[columns]
+        dim = factors < DIM / bright[columns]
         factors *= visibility.from_points(points, ways, nodes, rows, columns, dim)
         begin = np.searchsorted(rows, np.arange(len(points) + 1))
-        return np.asarray(csr_matrix((factors, columns, begin), (len(points), len(nodes))) @ bright)
+        return np.asarray(csr_matrix((factors, columns, begin), (len(points), len(nodes))) @ radiosity)
 
     @property
     def asymmetry(self) -> float:

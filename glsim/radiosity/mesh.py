@@ -20,7 +20,7 @@ class Mesh:
     """Triangles without T-vertices.
 
     vertices, normals: (V, 3); at: (V, 3) where light is gathered; patch: (V,) the largest patch each vertex belongs
-    to; triangles: (T, 3) numbers of vertices; triangle_patch: (T,).
+    to; triangles: (T, 3) numbers of vertices; triangle_patch: (T,); corners: (n, 4) vertices at the patches' corners.
     """
 
     vertices: Float
@@ -29,6 +29,7 @@ class Mesh:
     patch: Int
     triangles: Int
     triangle_patch: Int
+    corners: Int
 
 
 @dataclass(frozen=True)
@@ -97,10 +98,10 @@ def mesh_of(patches: Patches) -> Mesh:
         owners.append(np.full(len(ring), k))
     where = np.concatenate([lines.positions, patches.center[fans]])
     faces, of = np.concatenate(triangles), np.concatenate(owners)
-    return _with_normals(patches, where, faces, of)
+    return _with_normals(patches, where, faces, of, corners)
 
 
-def _with_normals(patches: Patches, where: Float, triangles: Int, of: Int) -> Mesh:
+def _with_normals(patches: Patches, where: Float, triangles: Int, of: Int, corners: Int) -> Mesh:
     """Normals by the area of the patches around; a vertex around which they leave a gap is at a border."""
     around = np.zeros(len(where))
     for k in range(3):
@@ -120,4 +121,4 @@ def _with_normals(patches: Patches, where: Float, triangles: Int, of: Int) -> Me
     flat = length > 1e-12 * patches.area[largest]
     normals = np.where(flat[:, None], normals / np.where(flat, length, 1.0)[:, None], patches.normal[largest])
     at = np.where((around < 6.28)[:, None], where + INWARD * (patches.center[largest] - where), where)
-    return Mesh(where, normals, at, largest, triangles, of)
+    return Mesh(where, normals, at, largest, triangles, of, corners)

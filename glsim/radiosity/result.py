@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
-from glsim.radiosity.bake import GAMMA, automatic_white, gathered, toned
+from glsim.radiosity.bake import GAMMA, automatic_white, radiosity_at, toned
 from glsim.radiosity.formfactors import FormFactors
 from glsim.radiosity.mesh import Mesh
 from glsim.radiosity.patches import Patches
@@ -111,7 +111,7 @@ class Radiosity:
 
     def direct(self) -> Float:
         """Radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
-        return gathered(self.factors, self.mesh, self.patches.E)
+        return radiosity_at(self.factors, self.mesh.at, self.mesh.normals, self.mesh.patch, self.patches.E)
 
     def beside_direct(self, size: int = 512, view: int | View = 0) -> Image.Image:
         """Direct illumination and radiosity from the same camera, side by side, with the same white."""

@@ -7,7 +7,7 @@ from typing import Any
 import numba as nb
 import numpy as np
 
-from glsim.radiosity.kernels import MOST_CORNERS, _dot, at_point, clip, jit, lambert, pair, parallel, too_far
+from glsim.radiosity.kernels import MOST_CORNERS, _area, _dot, at_point, clip, jit, lambert, pair, parallel, too_far
 
 
 @jit
@@ -110,3 +110,43 @@ def links_at(
                     kept += 1
             p = parent[p]
     return rows[:kept], columns[:kept], factors[:kept]
+
+
+@parallel
+def uneven(
+    points: Any, ways: Any, rows: Any, rings: Any, counts: Any, normals: Any, columns: Any, bright: Any, least: float,
+    out: Any,
+) -> None:  # fmt: skip
+    """What is added to the irradiance at points[rows] because patches[columns] are as bright as ``bright`` (n, 4, 3)
+    between their corners, and not evenly so bright as their mean: (k, 3).  0 for form factors below ``least``."""
+    parts = 4  # along each edge
+    for row in nb.prange(len(rows)):
+        v, j = rows[row], columns[row]
+        work, ring = np.empty((MOST_CORNERS, 3)), np.empty((4, 3))
+        whole = at_point(points[v], ways[v], rings[j], counts[j], normals[j], work)
+        if whole < least:
+            continue
+        value, total, area = np.zeros(3), np.zeros(3), 0.0
+        for s in range(parts):
+            for t in range(parts):
+                for c in range(4):
+                    u, w = (s + (c == 1 or c == 2)) / parts, (t + (c >= 2)) / parts
+                    for k in range(3):
+                        ring[c, k] = _between(rings[j], u, w, k)
+                factor = at_point(points[v], ways[v], ring, 4, normals[j], work)
+                weight = _area(ring, 4)
+                area += weight
+                for k in range(3):
+                    b = _between(bright[j], (s + 0.5) / parts, (t + 0.5) / parts, k)
+                    value[k] += factor * b
+                    total[k] += weight * b
+        for k in range(3):
+            out[row, k] = value[k] - whole * total[k] / area
+
+
+@jit
+def _between(corners: Any, u: float, v: float, k: int) -> float:
+    """Bilinear between four corners, u from the first to the second, v from the first to the last."""
+    near = corners[0, k] + u * (corners[1, k] - corners[0, k])
+    far = corners[3, k] + u * (corners[2, k] - corners[3, k])
+    return float(near + v * (far - near))
