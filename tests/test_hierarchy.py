@@ -57,19 +57,19 @@ def test_a_trees_parts_are_the_whole(tree: Tree) -> None:
 
 
 def test_pull_and_push(tree: Tree) -> None:
-    """Pulling keeps the power of the whole; what arrives at a root arrives at each element below it."""
+    """Pulling keeps the power of the whole, and what is even has no moments; a linear function at the roots arrives at
+    the elements as it is."""
     nodes, leaves = tree.nodes, tree.leaves
     B = np.random.default_rng(1).uniform(size=(len(leaves), 3))
     roots = slice(0, tree.levels[1])
-    power = nodes.area[roots] @ tree.pulled(B)[roots]
-    assert power == pytest.approx(nodes.area[leaves] @ B, rel=1e-12)
-    H = np.zeros((len(nodes), 3))
-    H[roots] = nodes.area[roots, None]
-    shown = tree.pushed(H)
-    root = leaves.copy()
-    while (tree.parent[root] >= 0).any():
-        root = np.where(tree.parent[root] >= 0, tree.parent[root], root)
-    assert shown[:, 0] == pytest.approx(nodes.area[root])
+    means, moments = tree.pulled(B)
+    assert nodes.area[roots] @ means[roots] == pytest.approx(nodes.area[leaves] @ B, rel=1e-12)
+    assert np.abs(moments[roots]).max() > 0.1
+    assert tree.pulled(np.ones_like(B))[1] == pytest.approx(0.0, abs=1e-9)
+    H, slopes = np.zeros((len(nodes), 3)), np.zeros((len(nodes), 3, 3))
+    slope = np.array([[1.0, 2.0, 3.0], [0.0, 0.0, 0.0], [-2.0, 0.5, 1.0]])
+    H[roots], slopes[roots] = nodes.center[roots] @ slope.T, slope
+    assert tree.pushed(H, slopes) == pytest.approx(nodes.center[leaves] @ slope.T, abs=1e-9)
 
 
 # ---------------------------------------------------------------- links
@@ -86,11 +86,11 @@ def test_links_are_the_matrix_in_short(links: Links, matrix: FormFactors) -> Non
     B = solved(matrix)[-1].B
     steps = solved(links, "cg")
     rms, bias = deviation(steps[-1].B, B, links.patches)
-    assert len(links.S) < 0.7 * np.count_nonzero(np.triu(matrix.S))
-    assert rms < 0.005
-    assert abs(bias) < 0.001
+    assert len(links.S) < 0.3 * np.count_nonzero(np.triu(matrix.S))
+    assert rms < 0.002
+    assert abs(bias) < 0.0005
     assert steps[-1].balance == pytest.approx(1.0, abs=1e-4)
-    assert links.row_sums == pytest.approx(matrix.row_sums, abs=0.04)
+    assert links.row_sums == pytest.approx(matrix.row_sums, abs=0.03)
 
 
 def test_a_lower_accuracy_needs_fewer_links(tree: Tree, links: Links, matrix: FormFactors) -> None:
@@ -122,7 +122,7 @@ def test_vertices_by_links(links: Links, matrix: FormFactors) -> None:
     by_links, by_matrix = gathered(links, mesh, B), gathered(matrix, mesh, B)
     lit = links.patches.E[mesh.patch].max(axis=1) == 0.0
     error = by_links[lit] - by_matrix[lit]
-    assert np.sqrt((error**2).mean() / (by_matrix[lit] ** 2).mean()) < 0.01
+    assert np.sqrt((error**2).mean() / (by_matrix[lit] ** 2).mean()) < 0.006
 
 
 def test_threads_do_not_change_links(tree: Tree, links: Links) -> None:
@@ -143,13 +143,13 @@ def test_links_that_would_not_fit(tree: Tree) -> None:
 
 def test_hierarchical_from_end_to_end() -> None:
     result = radiosity.solve("furnace", 3000, method="hierarchical")
-    assert result.vertex_radiosity == pytest.approx(2.0, rel=5e-3)
+    assert result.vertex_radiosity == pytest.approx(2.0, rel=2e-3)
     assert np.average(result.B[:, 0], weights=result.patches.area) == pytest.approx(2.0, rel=5e-4)
     report = result.report()
     assert report["method"] == "hierarchical"
     assert report["solver"] == "cg"
     assert report["reciprocity"] == 0.0
-    assert report["row_sum_error_mean"] < 0.02
+    assert report["row_sum_error_mean"] < 0.004
     with pytest.raises(SceneError, match="no matrix that could be shown"):
         result.matrix_picture()
 

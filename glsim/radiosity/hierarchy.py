@@ -31,6 +31,7 @@ ROOTS = 1600  # about how many patches there are at most before they are divided
 DEEPEST = 6  # levels below a root
 BLOCK = 1 << 19  # pairs at a time
 ACCURACY = 5e-5  # how uneven, in mean radiosities, the light of one link may be
+SIZE = 36  # bytes of a link
 NONE = np.zeros((0, 2), np.int64)  # pairs
 SENDERS = 4000  # about as many nodes send light to a point
 VARIES = 0.1  # by so much, it is assumed, the radiosity of a node's parts differs
@@ -54,20 +55,28 @@ class Tree:
         """(n,): the node of each element."""
         return np.flatnonzero(self.child < 0)
 
-    def pulled(self, B: Float) -> Float:
-        """Radiosity of all nodes (N, 3) from that of the elements (n, 3): means by area."""
-        nodes, result = self.nodes, np.zeros((len(self.nodes), 3))
-        result[self.leaves] = B * nodes.area[self.leaves, None]
+    def pulled(self, B: Float) -> tuple[Float, Float]:
+        """Of all nodes, from the radiosity of the elements (n, 3): means by area (N, 3), and means of B (x - center),
+        (N, 3, 3) by channel and direction."""
+        nodes = self.nodes
+        power, moments = np.zeros((len(nodes), 3)), np.zeros((len(nodes), 3, 3))
+        power[self.leaves] = B * nodes.area[self.leaves, None]
         for low, high in reversed(list(zip(self.levels[:-1], self.levels[1:], strict=True))):
             inner = low + np.flatnonzero(self.child[low:high] >= 0)
-            result[inner] = result[self.child[inner, None] + np.arange(4)].sum(axis=1)
-        return np.asarray(result / nodes.area[:, None])
+            parts = self.child[inner, None] + np.arange(4)
+            power[inner] = power[parts].sum(axis=1)
+            apart = nodes.center[parts] - nodes.center[inner, None]
+            moments[inner] = (moments[parts] + power[parts][..., None] * apart[:, :, None, :]).sum(axis=1)
+        return power / nodes.area[:, None], moments / nodes.area[:, None, None]
 
-    def pushed(self, H: Float) -> Float:
-        """Irradiance of the elements (n, 3): what arrives at each node arrives at all below it."""
-        H = H.copy()
+    def pushed(self, H: Float, slopes: Float) -> Float:
+        """Irradiance of the elements (n, 3): what arrives at nodes, H + slope (x - center), arrives at all below."""
+        H, slopes, center = H.copy(), slopes.copy(), self.nodes.center
         for low, high in zip(self.levels[1:-1], self.levels[2:], strict=True):
-            H[low:high] += H[self.parent[low:high]]
+            above = self.parent[low:high]
+            apart = center[low:high] - center[above]
+            H[low:high] += H[above] + np.einsum("ncd,nd->nc", slopes[above], apart)
+            slopes[low:high] += slopes[above]
         return np.asarray(H[self.leaves])
 
 
@@ -104,11 +113,13 @@ def tree_of(scene: Scene, count: int) -> Tree:
 
 @dataclass(frozen=True)
 class Links:
-    """ends: (k, 2) nodes; S: (k,) float32, A_p F_pq = A_q F_qp.  patches: the elements.  seconds: by stage."""
+    """ends: (k, 2) nodes; S: (k,) float32, A_p F_pq = A_q F_qp; tilt: (k, 2, 3) float32, how the form factor changes
+    over either end, see sweep.along_links.  patches: the elements.  seconds: by stage."""
 
     tree: Tree
     ends: NDArray[np.int32]
     S: NDArray[np.float32]
+    tilt: NDArray[np.float32]
     accuracy: float
     seconds: dict[str, float] = field(default_factory=dict)
     method: str = "hierarchical"
@@ -124,9 +135,10 @@ class Links:
         """S B for the elements: pull, gather along the links, push."""
         from glsim.radiosity.sweep import along_links
 
-        arriving = np.zeros((len(self.tree.nodes), 3))
-        along_links(self.ends, self.S, self.tree.pulled(B), arriving)
-        return self.tree.pushed(arriving / self.tree.nodes.area[:, None]) * self.patches.area[:, None]
+        area = self.tree.nodes.area[:, None]
+        arriving, slopes = np.zeros((len(area), 3)), np.zeros((len(area), 3, 3))
+        along_links(self.ends, self.S, self.tilt, *self.tree.pulled(B), arriving, slopes)
+        return self.tree.pushed(arriving / area, slopes / area[:, None]) * self.patches.area[:, None]
 
     @property
     def row_sums(self) -> Float:
@@ -135,19 +147,13 @@ class Links:
 
     def keep(self, checkpoint: str) -> None:
         """Save them where the next ``linked`` looks."""
-        _checkpoint(checkpoint, self.tree, self.accuracy).save(ends=self.ends, S=self.S, open=NONE)
+        _checkpoint(checkpoint, self.tree, self.accuracy).save(ends=self.ends, S=self.S, tilt=self.tilt, open=NONE)
 
     def row(self, i: int) -> Float:
-        """F[i, :], (n,), for one element."""
-        nodes, values = self.tree.nodes, np.zeros(len(self.tree.nodes))
-        node = int(self.tree.leaves[i])
-        while node >= 0:
-            for one, other in ((0, 1), (1, 0)):
-                mine = self.ends[:, one] == node
-                np.add.at(values, self.ends[mine, other], self.S[mine] / nodes.area[node])
-            node = int(self.tree.parent[node])
-        shares = np.repeat((values / nodes.area)[:, None], 3, axis=1)
-        return self.tree.pushed(shares)[:, 0] * self.patches.area
+        """F[i, :], (n,), for one element: what it would send everywhere."""
+        alone = np.zeros((len(self.patches), 3))
+        alone[i] = 1.0
+        return np.asarray(self.times(alone)[:, 0] / self.patches.area[i])
 
     def at_points(self, visibility: Visibility, points: Float, ways: Float, patch: Int, B: Float) -> Float:
         """Irradiance (k, 3) at points with normals ``ways`` on the elements ``patch``: from all nodes linked to the
@@ -156,7 +162,7 @@ class Links:
 
         from glsim.radiosity.sweep import links_at
 
-        nodes, radiosity = self.tree.nodes, self.tree.pulled(B)
+        nodes, radiosity = self.tree.nodes, self.tree.pulled(B)[0]
         bright = brightness(nodes, radiosity)
         least = NEGLIGIBLE / SENDERS / bright
         starts, others = self.by_node
@@ -211,15 +217,15 @@ def linked(tree: Tree, accuracy: float = ACCURACY, threads: int | None = None, p
     try:
         while refiner.open:
             refiner.step()
-            if 12 * refiner.count > allowed:
+            if SIZE * refiner.count > allowed:
                 raise SceneError(
-                    f"{12 * refiner.count / 2**30:.1f} GiB of links, and not all are found: take fewer patches"
+                    f"{SIZE * refiner.count / 2**30:.1f} GiB of links, and not all are found: take fewer patches"
                     " (--patches) or a lower --accuracy"
                 )
             tell("links", pairs - min(len(refiner.open), pairs), pairs)
     except KeyboardInterrupt:
-        ends, S = refiner.links()
-        kept.save(ends=ends, S=S, open=np.concatenate([NONE, *refiner.open]))
+        ends, S, tilt = refiner.links()
+        kept.save(ends=ends, S=S, tilt=tilt, open=np.concatenate([NONE, *refiner.open]))
         raise
     kept.remove()
     seconds = {"form factors": coarse.seconds["form factors"] + coarse.seconds["visibility"],
@@ -244,36 +250,36 @@ class _Refiner:
             root[low:high] = root[tree.parent[low:high]]
         self.B = B[root]
         first = before.get("open", np.stack(np.triu_indices(tree.levels[1], 1), axis=1))
-        self.state = _blocks(first)[::-1], [(before["ends"], before["S"])] if before else []
+        self.state = _blocks(first)[::-1], [(before["ends"], before["S"], before["tilt"])] if before else []
         self.count = len(before.get("S", ()))
 
     @property
     def open(self) -> list[Int]:
         return self.state[0]
 
-    def links(self) -> tuple[NDArray[np.int32], NDArray[np.float32]]:
-        nothing = np.zeros((0, 2), np.int32), np.zeros(0, np.float32)
-        ends, S = zip(nothing, *self.state[1], strict=True)
-        return np.concatenate(ends), np.concatenate(S)
+    def links(self) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]:
+        nothing = np.zeros((0, 2), np.int32), np.zeros(0, np.float32), np.zeros((0, 2, 3), np.float32)
+        ends, S, tilt = zip(nothing, *self.state[1], strict=True)
+        return np.concatenate(ends), np.concatenate(S), np.concatenate(tilt)
 
     def step(self) -> None:
         """Links for the last block of pairs, where the light is even enough; the others become pairs of parts."""
         from glsim.radiosity.sweep import link_factors
 
         nodes, pairs = self.tree.nodes, self.open[-1]
-        S, spread = np.empty(len(pairs)), np.empty((len(pairs), 2))
+        S, spread, tilt = np.empty(len(pairs)), np.empty((len(pairs), 2)), np.empty((len(pairs), 2, 3), np.float32)
         link_factors(
-            nodes.rings, nodes.counts, nodes.normal, nodes.center, nodes.size, self.tree.child, pairs, S, spread
+            nodes.rings, nodes.counts, nodes.normal, nodes.center, nodes.size, self.tree.child, pairs, S, tilt, spread
         )
         seeing = np.flatnonzero(S > 0.0)
-        pairs, S, spread = pairs[seeing], S[seeing], spread[seeing]
+        pairs, S, spread, tilt = pairs[seeing], S[seeing], spread[seeing], tilt[seeing]
         share, asked = self.visibility.asked(nodes.rings, nodes.counts, nodes.normal, pairs)
         uneven = self._unevenness(pairs, S, spread, share, asked) > self.least
         uneven &= self.tree.child[pairs] >= 0
         done = ~uneven.any(axis=1)
         kept = done & (share > 0.0)
         parts = self._parts(pairs[~done], uneven[~done])
-        found = pairs[kept].astype(np.int32), (S * share)[kept].astype(np.float32)
+        found = pairs[kept].astype(np.int32), (S * share)[kept].astype(np.float32), tilt[kept]
         self.count += len(found[1])
         self.state = [*self.open[:-1], *parts], [*self.state[1], found]
 
