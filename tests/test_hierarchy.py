@@ -158,6 +158,17 @@ def test_a_tree_has_about_as_many_elements_as_asked() -> None:
     assert len(tree_of(scene("museum"), 20000).leaves) == pytest.approx(20000, rel=0.35)
 
 
+def test_what_is_hidden_in_part_stays() -> None:
+    """The tops of the museum's pedestals, in the middle of which something stands, whatever the size of patches."""
+    room = scene("museum")
+    tree = tree_of(room, 8000)
+    for found in (tree.nodes, subdivide(room, 400), subdivide(room, 3000)):
+        roots = found.level == 0
+        top = roots & (np.abs(found.center[:, 1] - 1.0) < 1e-6) & (found.normal[:, 1] > 0.9)
+        here = top & (np.abs(found.center[:, [0, 2]] - (2.0, 3.0)).max(axis=1) < 0.46)
+        assert found.area[here].sum() == pytest.approx(0.81, rel=1e-6)
+
+
 # ---------------------------------------------------------------- smaller patches where it matters
 
 

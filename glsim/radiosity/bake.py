@@ -12,6 +12,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.radiosity.exposure import covered
 from glsim.radiosity.mesh import Mesh
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.solvers import Factors
@@ -43,13 +44,14 @@ def radiosity_at(
 
 def gathered(factors: Factors, mesh: Mesh, B: Float, progress: Progress | None = None) -> Float:
     """Radiosity at the vertices (V, 3).  First as if each patch were evenly bright; then, where a patch is near, with
-    what this shows between its corners."""
+    what this shows between its corners.  Vertices inside of a body take the mean of the patches around."""
     even = radiosity_at(factors, mesh.at, mesh.normals, mesh.patch, B, progress)
     shown = even
     for _ in range(2):  # the second with corners that the first has mended
         added = unevenness(factors.patches, mesh.at, mesh.normals, shown[mesh.corners])
         shown = np.maximum(even + factors.patches.rho[mesh.patch] * added, 0.0)
-    return np.asarray(shown)
+    hidden = covered(factors.patches.scene, mesh.at, mesh.normals)  # nobody sees them, but the triangles around
+    return np.where(hidden[:, None], averaged(factors.patches, mesh, B), shown)
 
 
 def unevenness(patches: Patches, points: Float, normals: Float, bright: Float) -> Float:

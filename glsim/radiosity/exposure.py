@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from glsim.radiosity.contacts import MANY, TOUCHING
 from glsim.radiosity.patches import Patches, patches_from
-from glsim.radiosity.scene import SceneError, area_of, normal_of
+from glsim.radiosity.scene import Scene, SceneError, area_of, normal_of
 
 Float = NDArray[np.float64]
 
@@ -17,28 +17,16 @@ Float = NDArray[np.float64]
 def exposed(patches: Patches) -> Patches:
     """Without patches that are covered: inside of a body that stands on them, or behind a coplanar lamp.
 
-    A patch is covered where most rays from it meet the backs of others, or where a smaller polygon of its own plane
-    lies on it.
+    A patch is covered where most rays from its middle, and from near all of its corners, meet the backs of others; or
+    where a smaller polygon of its own plane lies on it.
     """
-    from embreex.mesh_construction import TriangleMesh
-    from embreex.rtcore_scene import EmbreeScene
-
     scene = patches.scene
-    embree = EmbreeScene()
-    triangles = scene.triangles()
-    middle = triangles.mean(axis=(0, 1))  # around which single precision is enough
-    TriangleMesh(embree, np.ascontiguousarray(triangles - middle, np.float32))
-    owner = np.array([k for k, ring in enumerate(scene.rings) for _ in range(len(ring) - 2)])
     normals = np.array([normal_of(ring) for ring in scene.rings])
-    lift = 1e-4 * scene.size
-    covered = np.zeros(len(patches), np.int64)
-    ways = _fan(patches.normal)
-    for way in np.moveaxis(ways, 1, 0):
-        origins = (patches.center - middle + lift * patches.normal).astype(np.float32)
-        hit = embree.run(origins, np.ascontiguousarray(way, np.float32))
-        met = owner[np.maximum(hit, 0)]
-        covered += (hit >= 0) & (np.einsum("nk,nk->n", normals[met], way) > 1e-9)
-    hidden = covered > ways.shape[1] // 2
+    hidden = covered(scene, patches.center, patches.normal)
+    for corner in range(4):
+        some = np.flatnonzero(hidden)
+        near = 0.9 * patches.rings[some, corner] + 0.1 * patches.center[some]
+        hidden[some] = covered(scene, near, patches.normal[some])
     hidden |= _behind_coplanar(patches, normals)
     if not hidden.any():
         return patches
@@ -48,10 +36,30 @@ def exposed(patches: Patches) -> Patches:
             " --flip turns them"
         )
     note = f"patches left out, inside of bodies or behind coplanar polygons: {hidden.sum()}"
-    return patches_from(
-        replace(scene, notes=(*scene.notes, note)), *(values[~hidden] for values in
-        (patches.rings, patches.counts, patches.polygon, patches.level))
-    )  # fmt: skip
+    p, seen = patches, ~hidden
+    noted = replace(scene, notes=(*scene.notes, note))
+    return patches_from(noted, p.rings[seen], p.counts[seen], p.polygon[seen], p.level[seen])
+
+
+def covered(scene: Scene, points: Float, ways: Float) -> NDArray[np.bool_]:
+    """Whether points (n, 3) with normals are inside of something: most rays from them meet backs."""
+    from embreex.mesh_construction import TriangleMesh
+    from embreex.rtcore_scene import EmbreeScene
+
+    embree = EmbreeScene()
+    triangles = scene.triangles()
+    middle = triangles.mean(axis=(0, 1))  # around which single precision is enough
+    TriangleMesh(embree, np.ascontiguousarray(triangles - middle, np.float32))
+    owner = np.array([k for k, ring in enumerate(scene.rings) for _ in range(len(ring) - 2)])
+    normals = np.array([normal_of(ring) for ring in scene.rings])
+    origins = (points - middle + 1e-4 * scene.size * ways).astype(np.float32)
+    backs = np.zeros(len(points), np.int64)
+    fan = _fan(ways)
+    for way in np.moveaxis(fan, 1, 0):
+        hit = embree.run(origins, np.ascontiguousarray(way, np.float32))
+        met = owner[np.maximum(hit, 0)]
+        backs += (hit >= 0) & (np.einsum("nk,nk->n", normals[met], way) > 1e-9)
+    return np.asarray(backs > fan.shape[1] // 2)
 
 
 def _fan(normals: Float) -> Float:
