@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import cache
 from importlib.util import find_spec
 from typing import Any
 
@@ -52,6 +53,10 @@ def solve(
         tell("patches", 0, 1)
         scene = scene_from(what)
         scene = (scene.flipped() if flip else scene).checked()
+    with _timed(seconds, "compiled code"):
+        tell("compiling (only in the first run)", 0, 1)
+        _compiled(method == "hierarchical")
+        tell("compiling (only in the first run)", 1, 1)
     if method == "hierarchical":
         with _timed(seconds, "patches"):
             tree = tree_of(scene, patches)
@@ -82,6 +87,16 @@ def solve(
             found.keep(checkpoint)
         raise
     return Radiosity(factors.patches, factors, steps, B, mesh, shown, solver or _usual(factors), seconds)
+
+
+@cache
+def _compiled(hierarchical: bool) -> None:
+    """A small box from end to end, so that all that is compiled or loaded from the cache is there."""
+    from glsim.radiosity.scenes import cornell
+
+    scene = cornell().checked()
+    found: Factors = linked(tree_of(scene, 250)) if hierarchical else compute(subdivide(scene, 60))
+    gathered(found, mesh_of(found.patches), solved(found, _usual(found))[-1].B)
 
 
 def _finder(method: str, threads: int | None, scheduler: str | None, tell: Progress) -> Any:
