@@ -48,7 +48,7 @@ def plates() -> Scene:
     b = Builder("plates")
     b.add([quad((0, 0, 0), (0, 0, 1), (1, 0, 1), (1, 0, 0))], Material("lamp", (0.3, 0.3, 0.3), (1.0, 0.9, 0.7)))
     b.add([quad((0, 0.5, 0), (1, 0.5, 0), (1, 0.5, 1), (0, 0.5, 1))], Material("grey", (0.6, 0.6, 0.6)))
-    return b.scene(View((2.2, 0.9, 2.6), (0.5, 0.2, 0.5), fov=35))
+    return b.scene(View((1.7, 0.22, 2.3), (0.5, 0.26, 0.5), fov=40))
 
 
 def furnace() -> Scene:
