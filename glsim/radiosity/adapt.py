@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.bake import gathered
-from glsim.radiosity.mesh import mesh_of, outline
+from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.quadtree import divided
 from glsim.radiosity.solvers import Factors, solved
@@ -39,7 +39,8 @@ def interpolation_error(factors: Factors) -> Float:
     """(n,): how far, at the middle of each patch, the radiosity gathered there is from the one between its corners."""
     patches = factors.patches
     B = solved(factors, tolerance=1e-4)[-1].B
-    at_corners = gathered(factors, mesh_of(patches), B)[outline(patches).corners]
+    mesh = mesh_of(patches)
+    at_corners = gathered(factors, mesh, B)[mesh.corners]
     between = np.where((patches.counts == 4)[:, None], at_corners.mean(axis=1), at_corners[:, :3].mean(axis=1))
     points = patches.center + 1e-6 * patches.scene.size * patches.normal
     H = factors.at_points(Visibility(patches.scene), points, patches.normal, np.arange(len(patches)), B)
