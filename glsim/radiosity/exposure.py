@@ -12,13 +12,15 @@ from glsim.radiosity.patches import Patches, patches_from
 from glsim.radiosity.scene import Scene, SceneError, area_of, normal_of
 
 Float = NDArray[np.float64]
+Int = NDArray[np.int64]
 
 
 def exposed(patches: Patches) -> Patches:
     """Without patches that are covered: inside of a body that stands on them, or behind a coplanar lamp.
 
-    A patch is covered where most rays from its middle, and from near all of its corners, meet the backs of others; or
-    where a smaller polygon of its own plane lies on it.
+    A patch is covered where most rays from its middle, and from near all of its corners, meet the backs of others;
+    where a smaller polygon of its own plane lies on it; or where one of its plane looks the other way, as a floor does
+    to a crate's bottom, and no ray meets a front.
     """
     scene = patches.scene
     normals = np.array([normal_of(ring) for ring in scene.rings])
@@ -27,7 +29,10 @@ def exposed(patches: Patches) -> Patches:
         some = np.flatnonzero(hidden)
         near = 0.9 * patches.rings[some, corner] + 0.1 * patches.center[some]
         hidden[some] = covered(scene, near, patches.normal[some])
-    hidden |= _behind_coplanar(patches, normals)
+    smaller, opposite = _coplanar(patches, normals)
+    there = np.flatnonzero(opposite)
+    hidden |= smaller
+    hidden[there] |= met(scene, patches.center[there], patches.normal[there])[0] == 0
     if not hidden.any():
         return patches
     if np.average(hidden, weights=patches.area) > 0.9:
@@ -43,23 +48,28 @@ def exposed(patches: Patches) -> Patches:
 
 def covered(scene: Scene, points: Float, ways: Float) -> NDArray[np.bool_]:
     """Whether points (n, 3) with normals are inside of something: most rays from them meet backs."""
+    return np.asarray(met(scene, points, ways)[1] > 2)
+
+
+def met(scene: Scene, points: Float, ways: Float) -> tuple[Int, Int]:
+    """How many of five rays from points (n, 3) with normals meet fronts, and how many backs, (n,) each."""
     from embreex.mesh_construction import TriangleMesh
     from embreex.rtcore_scene import EmbreeScene
 
     embree = EmbreeScene()
-    triangles = scene.triangles()
-    middle = triangles.mean(axis=(0, 1))  # around which single precision is enough
-    TriangleMesh(embree, np.ascontiguousarray(triangles - middle, np.float32))
     owner = np.array([k for k, ring in enumerate(scene.rings) for _ in range(len(ring) - 2)])
     normals = np.array([normal_of(ring) for ring in scene.rings])
+    triangles = scene.triangles() + 2e-5 * scene.size * normals[owner, None]  # of a sheet, either side by itself
+    middle = triangles.mean(axis=(0, 1))  # around which single precision is enough
+    TriangleMesh(embree, np.ascontiguousarray(triangles - middle, np.float32))
     origins = (points - middle + 1e-4 * scene.size * ways).astype(np.float32)
-    backs = np.zeros(len(points), np.int64)
-    fan = _fan(ways)
-    for way in np.moveaxis(fan, 1, 0):
+    fronts, backs = np.zeros(len(points), np.int64), np.zeros(len(points), np.int64)
+    for way in np.moveaxis(_fan(ways), 1, 0) if len(points) else ():
         hit = embree.run(origins, np.ascontiguousarray(way, np.float32))
-        met = owner[np.maximum(hit, 0)]
-        backs += (hit >= 0) & (np.einsum("nk,nk->n", normals[met], way) > 1e-9)
-    return np.asarray(backs > fan.shape[1] // 2)
+        cosine = np.einsum("nk,nk->n", normals[owner[np.maximum(hit, 0)]], way)
+        backs += (hit >= 0) & (cosine > 1e-9)
+        fronts += (hit >= 0) & (cosine < -1e-9)
+    return fronts, backs
 
 
 def _fan(normals: Float) -> Float:
@@ -71,21 +81,22 @@ def _fan(normals: Float) -> Float:
     return np.stack([normals, *(normals + 0.8 * side for side in (t, -t, b, -b))], axis=1)
 
 
-def _behind_coplanar(patches: Patches, normals: Float) -> NDArray[np.bool_]:
-    """Patches whose middle lies on another polygon of the same plane: a smaller one that looks the same way, which is
-    seen instead, or one that looks the other way, which lies face to face."""
+def _coplanar(patches: Patches, normals: Float) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Patches whose middle lies on another polygon of the same plane: on a smaller one that looks the same way, and so
+    is seen instead; on one that looks the other way."""
     scene = patches.scene
-    hidden = np.zeros(len(patches), bool)
+    smaller, opposite = np.zeros(len(patches), bool), np.zeros(len(patches), bool)
     areas = np.array([area_of(ring) for ring in scene.rings])
     if len(scene.rings) > MANY:
-        return hidden
+        return smaller, opposite
     tolerance = TOUCHING * scene.size
     for number, ring in enumerate(scene.rings):
         cosine = patches.normal @ normals[number]
-        smaller = (cosine > 1.0 - 1e-6) & (areas[patches.polygon] > areas[number] * (1.0 + 1e-9))
-        there = (smaller | (cosine < -1.0 + 1e-6)) & (patches.polygon != number)
+        there = (np.abs(cosine) > 1.0 - 1e-6) & (patches.polygon != number)
         there &= np.abs((patches.center - ring[0]) @ normals[number]) < tolerance
         inward = np.cross(normals[number], np.roll(ring, -1, axis=0) - ring)
         to = patches.center[there][:, None] - ring
-        hidden[there] |= ((to * inward).sum(axis=2) > 0.0).all(axis=1)
-    return hidden
+        there[there] = ((to * inward).sum(axis=2) > 0.0).all(axis=1)
+        smaller |= there & (cosine > 0.0) & (areas[patches.polygon] > areas[number] * (1.0 + 1e-9))
+        opposite |= there & (cosine < 0.0)
+    return smaller, opposite

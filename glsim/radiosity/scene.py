@@ -97,7 +97,8 @@ class Scene:
             counts[crooked] += len(parts) > 1
             counts[flat] += not parts
             for ring in parts:
-                key = frozenset(map(tuple, np.round(ring / scale, 7).tolist()))
+                way = tuple((np.round(normal_of(ring), 3) + 0.0).tolist())  # the other side of a sheet is no duplicate
+                key = frozenset(map(tuple, np.round(ring / scale, 7).tolist())), way
                 counts[twice] += key in seen
                 if key not in seen:
                     seen.add(key)

@@ -193,7 +193,8 @@ def judge(one: Any, two: Any, rows: Any, columns: Any, starts: Any, solid: Any, 
                     break
                 enter_whole, leave_whole = _behind(one[i, m, 1], two[j, m, 1], enter_whole, leave_whole)
             if leave - enter >= TOUCH:
-                if solid[b] and leave_whole - enter_whole >= TOUCH:
+                between = enter_whole > TOUCH and leave_whole < 1.0 - TOUCH  # and not on the body itself
+                if solid[b] and between and leave_whole - enter_whole >= TOUCH:
                     out[row] = HIDDEN
                     break
                 out[row] = ASK
