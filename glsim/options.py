@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 def count(text: str) -> int:
     if not text.isdigit() or not 1 <= int(text) <= 1_000_000:
-        raise argparse.ArgumentTypeError(f"a number from 1 on is needed, not {text!r}")
+        raise argparse.ArgumentTypeError(f"a number from 1 to 1000000 is needed, not {text!r}")
     return int(text)
 
 
@@ -26,7 +26,7 @@ def rectangle(text: str) -> tuple[int, int]:
 
 def number(text: str) -> int:
     if not text.isdigit() or int(text) > 1_000_000:
-        raise argparse.ArgumentTypeError(f"a number from 0 on is needed, not {text!r}")
+        raise argparse.ArgumentTypeError(f"a number from 0 to 1000000 is needed, not {text!r}")
     return int(text)
 
 

@@ -100,7 +100,7 @@ def test_nobody_answers(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("glsim.radiosity.distributed.WAIT", 1)
     with pytest.raises(SceneError, match=r"no Dask scheduler answers at tcp://127.0.0.1:1: start one with"):
         radiosity.solve("plates", 50, scheduler="tcp://127.0.0.1:1")
-    with pytest.raises(SceneError, match="no Dask scheduler answers at nonsense"):
+    with pytest.raises(SceneError, match="an address such as tcp://HOST:8786 is needed, not 'nonsense'"):
         radiosity.solve("plates", 50, scheduler="nonsense")
 
 

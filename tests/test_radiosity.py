@@ -654,6 +654,50 @@ def test_what_can_be_mended_is_noted() -> None:
     ]
 
 
+def test_what_lights_nothing_is_told() -> None:
+    b = Builder("ball")
+    b.add([ring[::-1] for ring in box((0, 0, 0), (1, 1, 1), inside=True)], Material("glows", (0.1,) * 3, (1.0,) * 3))
+    ball = radiosity.solve(b.scene(), 30)
+    assert pytest.approx(ball.patches.E) == ball.B
+    assert "no patch sees another, so nothing is lit" in ball.report()["notes"][0]
+    b = Builder("turned")
+    b.add(box((0, 0, 0), (2, 2, 2), inside=True), Material("wall", (0.5,) * 3))
+    b.add([quad((4, 0, 0), (4, 1, 0), (4, 1, 1), (4, 0, 1))], Material("lamp", (0.0,) * 3, (9.0,) * 3))  # looks away
+    assert "what emits sees nothing, so nothing is lit" in radiosity.solve(b.scene(), 100).report()["notes"][0]
+
+
+def test_a_scene_without_cameras_has_one() -> None:
+    b = Builder("room")
+    b.add(box((0, 0, 0), (2, 2, 2), inside=True), Material("wall", (0.5,) * 3, (1.0,) * 3))
+    result = radiosity.solve(b.scene(), 30)
+    assert len(np.unique(np.asarray(result.picture(32)))) > 1
+    with pytest.raises(SceneError, match="patches are numbered from 0 to 23; there is no 24"):
+        result.row_picture(24)
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: radiosity.solve(3), "a scene is a radiosity.Scene .of a Builder: builder.scene.... a name"),
+        (lambda: radiosity.solve(Builder("b")), "a scene is a radiosity.Scene"),
+        (lambda: radiosity.solve("."), "is a folder; name a mesh file"),
+        (lambda: radiosity.solve("goral", 0), "patches must be a whole number from 1 on, not 0"),
+        (lambda: radiosity.solve("goral", "20"), "patches must be a whole number from 1 on, not '20'"),
+        (lambda: radiosity.solve("goral", 20, threads=-2), "threads must be a whole number from 1 on, not -2"),
+        (
+            lambda: radiosity.solve("goral", 20, tolerance=float("nan")),
+            "the tolerance must be a number between 0 and 1",
+        ),
+        (lambda: radiosity.solve("goral", 20, accuracy=-1.0), "the accuracy must be a number between 0 and 1"),
+        (lambda: Builder("b").add(SQUARE, LAMP), "add takes a list of polygons, each a list of corners"),
+        (lambda: Builder("b").add([[(0, 0), (1, 0), (1, 1)]], LAMP), "add takes a list of polygons"),
+    ],
+)
+def test_wrong_arguments(call: Any, sentence: str) -> None:
+    with pytest.raises(SceneError, match=sentence):
+        call()
+
+
 def test_what_escapes_is_told() -> None:
     open_, closed = (radiosity.solve(name, 60).report() for name in ("plates", "furnace"))
     assert open_["notes"] == [f"the scene is open: {100 * open_['leak']:.1f} % of what leaves its surfaces escapes"]

@@ -46,7 +46,7 @@ class Checkpoint:
             with np.load(self.path) as kept:
                 return {name: kept[name] for name in kept.files} if str(kept["mark"]) == self.mark else {}
         except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
-            raise SceneError(f"{self.path} is no checkpoint: name another file, or remove it ({error})") from error
+            raise SceneError(f"{self.path} is no checkpoint: name another file, or remove it") from error
 
     def remove(self) -> None:
         """When the work is done."""

@@ -52,8 +52,8 @@ def _add_solution(p: Any) -> None:
     p.add_argument("--close", action="store_true", help="scale form factors so that rows sum to 1: closed scenes")
     p.add_argument("--scheduler", metavar="ADDRESS", help="use the workers of a Dask scheduler, tcp://HOST:8786")
     p.add_argument("--resume", metavar="FILE",
-                   help="where what is done is kept at Ctrl-C, and looked for (default: beside the first output);"
-                   " with --scheduler the name under which it stays there")  # fmt: skip
+                   help="where form factors (contour, analytic) or links that are done are kept at Ctrl-C, and looked"
+                   " for (default: beside the first output); with --scheduler a name there")  # fmt: skip
 
 
 def _add_picture(p: Any) -> None:
@@ -94,14 +94,14 @@ def _radiosity(options: argparse.Namespace) -> int:
             check_picture_name(name)
     if options.direct:
         check_picture_name(options.direct)
-    for name in (*options.output, options.direct, options.json):
+    for name in (*options.output, options.direct, options.json, None if options.scheduler else options.resume):
         if isinstance(name, str):
             check_folder(name)
     result = _solved(options)
     report = {**result.report(), "outputs": _written(result, options)}
     if isinstance(options.json, str):
-        write_text(Path(options.json), json.dumps({"status": "ok", **report}, indent=1) + "\n")
         report["outputs"].append(options.json)
+        write_text(Path(options.json), json.dumps({"status": "ok", **report}, indent=1) + "\n")
     if options.json is True:
         print(json.dumps({"status": "ok", **report}))
     else:

@@ -6,6 +6,8 @@ none of them.  What a worker that dies had made, Dask makes again on the others.
 
 from __future__ import annotations
 
+import re
+import socket
 import threading
 import time
 from collections.abc import Sequence
@@ -40,12 +42,16 @@ def connected(address: str) -> Any:
     """A client of the scheduler at an address, "tcp://host:8786".  Raises SceneError if there is none, or no worker."""
     if find_spec("distributed") is None:
         raise SceneError("--scheduler needs the package distributed: pip install glsim[dask]")
+    found = re.fullmatch(r"(?:tcp://)?([^/:\s]+):(\d+)", address)
+    if not found:
+        raise SceneError(f"--scheduler: an address such as tcp://HOST:8786 is needed, not {address!r}")
     try:
+        socket.create_connection((found[1], int(found[2])), timeout=WAIT).close()  # before dask waits and complains
         client = _dask().Client(address, timeout=WAIT, set_as_default=False)
-    except (OSError, TimeoutError, ValueError) as error:
+    except (OSError, OverflowError, ValueError) as error:
         raise SceneError(
             f"no Dask scheduler answers at {address}: start one with dask scheduler, and workers with dask worker"
-            f" ADDRESS ({type(error).__name__})"
+            f" ADDRESS ({error})"
         ) from error
     try:
         client.wait_for_workers(1, timeout=WAIT)

@@ -144,7 +144,8 @@ def compute(
     if memory_needed(n) > allowed:
         raise SceneError(
             f"{n} patches need {memory_needed(n) / 2**30:.1f} GiB for their form factors, and there are"
-            f" {allowed / 2**30:.1f} GiB: take fewer patches (--patches)"
+            f" {allowed / 2**30:.1f} GiB: take fewer patches (--patches), links (--method hierarchical) or a"
+            " cluster (--scheduler)"
         )
     tell = progress or (lambda stage, done, of: None)
     if method in ("contour", "analytic"):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -9,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.scene import Builder, Material, Scene, SceneError, View
+from glsim.radiosity.scene import Builder, Material, Scene, SceneError, View, view_of
 from glsim.radiosity.scenes import BUILT_IN
 
 Float = NDArray[np.float64]
@@ -26,6 +28,11 @@ def scene_from(what: Any, materials: Mapping[str, Material] | None = None) -> Sc
 
     if isinstance(what, Scene):
         scene = what
+    elif not isinstance(what, (str, os.PathLike, Frame)):
+        raise SceneError(
+            f"a scene is a radiosity.Scene (of a Builder: builder.scene()), a name, a file, a program or a Frame, not"
+            f" {what!r}"
+        )
     elif isinstance(what, Frame):
         scene = from_frame(what)
     elif str(what) in BUILT_IN and not Path(what).exists():
@@ -34,6 +41,8 @@ def scene_from(what: Any, materials: Mapping[str, Material] | None = None) -> Sc
         from glsim.study.frames import frame_of
 
         scene = from_frame(frame_of(what), str(what))
+    elif Path(what).is_dir():
+        raise SceneError(f"{what} is a folder; name a mesh file, a program or a built-in scene")
     elif Path(what).is_file():
         scene = from_file(Path(what))
     else:
@@ -54,12 +63,15 @@ def from_file(path: Path) -> Scene:
     import trimesh
 
     try:
-        loaded = trimesh.load_scene(path, process=False)
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")  # a sentence follows
+            loaded = trimesh.load_scene(path, process=False)
         meshes = [(n, g) for n, g in loaded.geometry.items() if isinstance(g, trimesh.Trimesh) and len(g.faces)]
         dumped = [g for g in loaded.dump() if isinstance(g, trimesh.Trimesh) and len(g.faces)]
     except Exception as error:  # whatever the reader of this format trips over
         reason = " ".join(str(error).split()) or type(error).__name__
-        raise SceneError(f"{path} cannot be read: {reason}") from error
+        kind = path.suffix.lower() or "mesh"
+        raise SceneError(f"{path} is no whole {kind} file: it cannot be read ({reason})") from error
     if not dumped:
         raise SceneError(f"{path} has no triangles")
     b = Builder(path.name)
@@ -70,7 +82,7 @@ def from_file(path: Path) -> Scene:
         for faces in _smooth_parts(mesh):
             b.add(np.asarray(mesh.vertices)[np.asarray(mesh.faces)[faces]], material, smooth=True)
     points = np.concatenate(b.rings)
-    return b.scene(_view_of(points))
+    return b.scene(view_of(points))
 
 
 def _smooth_parts(mesh: Any) -> list[NDArray[np.int64]]:
@@ -105,14 +117,6 @@ def _material(mesh: Any, name: str) -> Material:
 def _unit(color: Any) -> Float:
     values = np.asarray(color, float)[:3]
     return values / 255.0 if np.asarray(color).dtype.kind in "ui" or values.max() > 1.0 else values
-
-
-def _view_of(points: Float) -> View:
-    """From the front, a little above, so far that all is seen."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    middle, size = (low + high) / 2.0, float(np.linalg.norm(high - low))
-    eye = middle + size * np.array([0.35, 0.3, 1.2])
-    return View(tuple(eye.tolist()), tuple(middle.tolist()), fov=40.0)
 
 
 # ---------------------------------------------------------------- programs

@@ -106,7 +106,9 @@ def subdivide(scene: Scene, count: int = 2000, length: float | None = None) -> P
 
 
 def length_for(scene: Scene, count: int) -> float:
-    """The length at which the grids have about ``count`` cells."""
+    """The length at which the grids have about ``count`` cells; more, if polygons that are small anyway would leave
+    less than half of them to the others."""
+    count = max(count, number_of_cells(scene, 2.0 * scene.size) + count // 2)
     short, long = 1e-4 * scene.size, 2.0 * scene.size
     for _ in range(40):
         middle = (short * long) ** 0.5

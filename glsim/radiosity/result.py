@@ -15,7 +15,7 @@ from glsim.radiosity.bake import GAMMA, automatic_white, radiosity_at, toned
 from glsim.radiosity.formfactors import FormFactors
 from glsim.radiosity.mesh import Mesh
 from glsim.radiosity.patches import Patches
-from glsim.radiosity.scene import Scene, SceneError, View
+from glsim.radiosity.scene import Scene, SceneError, View, view_of
 from glsim.radiosity.solvers import Factors, Step
 
 if TYPE_CHECKING:
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 Float = NDArray[np.float64]
 OPEN = 5e-3  # share of the light that escapes, above which a scene is not just inexact
+BLIND = 1e-3  # row sums of patches that see nothing
 
 
 @dataclass(frozen=True)
@@ -54,16 +55,14 @@ class Radiosity:
         error = np.abs(sums - 1.0)
         last = self.steps[-1]
         leak = float(1.0 - (sums * self.patches.area).sum() / self.patches.area.sum())
-        notes = [*self.patches.scene.notes]
-        if leak > OPEN:
-            notes.append(f"the scene is open: {100.0 * leak:.1f} % of what leaves its surfaces escapes")
         return {
             "scene": self.patches.scene.name, "n": len(self.patches), "method": self.factors.method,
             "solver": self.solver, "iterations": last.iteration, "residual": last.residual,
             "row_sum_error_mean": float(error.mean()), "row_sum_error_max": float(error.max()),
             "leak": leak,
             "reciprocity": self.factors.asymmetry, "energy_balance": last.balance, "vertices": len(self.mesh.vertices),
-            "triangles": len(self.mesh.triangles), "notes": notes,
+            "triangles": len(self.mesh.triangles),
+            "notes": [*self.patches.scene.notes, *_noticed(self.patches, sums, leak)],
             "seconds": {name: round(value, 4) for name, value in self.seconds.items()},
         }  # fmt: skip
 
@@ -125,14 +124,18 @@ class Radiosity:
         """A camera of the scene by its number.  Raises SceneError for one that is not there."""
         if isinstance(which, View):
             return which
-        views = self.patches.scene.views
+        views = self.patches.scene.views or (view_of(np.concatenate(self.patches.scene.rings)),)
         if not 0 <= which < len(views):
             many = "1 view" if len(views) == 1 else f"{len(views)} views"
             raise SceneError(f"{self.patches.scene.name} has {many}, numbered from 0; there is no {which}")
         return views[which]
 
     def row_picture(self, patch: int, size: int = 512, view: int | View = 0) -> Image.Image:
-        """Row ``patch`` of the form factors as colours on the scene: where light that leaves the patch arrives."""
+        """Row ``patch`` of the form factors as colours on the scene: where light that leaves it arrives, for each
+        unit of area.  The patch itself is orange; white are the brightest 5 % of the vertices.  Raises SceneError if
+        there is no such patch."""
+        if not 0 <= patch < len(self.patches):
+            raise SceneError(f"patches are numbered from 0 to {len(self.patches) - 1}; there is no {patch}")
         row = self.factors.row(patch) / self.patches.area
         values = np.zeros(len(self.mesh.vertices))
         weight = np.zeros(len(self.mesh.vertices))
@@ -140,7 +143,8 @@ class Radiosity:
             np.add.at(values, self.mesh.triangles[:, corner], row[self.mesh.triangle_patch])
             np.add.at(weight, self.mesh.triangles[:, corner], 1.0)
         values /= np.maximum(weight, 1.0)
-        shown = np.repeat((values / max(float(values.max()), 1e-300))[:, None] ** (1.0 / GAMMA), 3, axis=1)
+        bright = max(float(np.quantile(values[values > 0.0], 0.95)), 1e-300) if values.any() else 1.0
+        shown = np.repeat(np.minimum(values / bright, 1.0)[:, None] ** (1.0 / GAMMA), 3, axis=1)
         own = np.unique(self.mesh.triangles[self.mesh.triangle_patch == patch])
         shown[own] = (1.0, 0.5, 0.0)
         return self.picture(size, view, colors=shown)
@@ -202,6 +206,21 @@ class Radiosity:
         mesh = trimesh.Trimesh(self.mesh.vertices, self.mesh.triangles, vertex_colors=shown, process=False)
         data: Any = mesh.export(file_type=kind)
         return bytes(data)
+
+
+def _noticed(patches: Patches, sums: Float, leak: float) -> list[str]:
+    """What the rows tell of the scene."""
+    lamps = patches.E.max(axis=1) > 0.0
+    if sums.max() < BLIND:
+        return ["no patch sees another, so nothing is lit: a room whose normals are inverted? --flip turns them"]
+    notes = []
+    if float(sums[lamps].max(initial=0.0)) < BLIND:
+        notes.append("what emits sees nothing, so nothing is lit: do its fronts look away?")
+    if leak > OPEN:
+        notes.append(f"the scene is open: {100.0 * leak:.1f} % of what leaves its surfaces escapes")
+    elif (poor := int((sums < 0.9).sum())) > 0:
+        notes.append(f"patches of which a part is inside of bodies, so that their rows do not sum to 1: {poor}")
+    return notes
 
 
 def look(view: View, scene: Scene) -> None:

@@ -111,14 +111,17 @@ class Scene:
         if not result.emitters:
             raise SceneError(
                 f"{self.name}: nothing emits light: give a material an exitance E > 0 (in a file: an emissive colour;"
-                " in a program: glMaterial with GL_EMISSION)"
+                " in a program: glMaterial with GL_EMISSION, drawn while GL_LIGHTING is enabled)"
             )
         return result
 
 
 def _check_material(material: Material) -> None:
-    rho, E = np.asarray(material.rho, float), np.asarray(material.E, float)
     name = f"material {material.name!r}"
+    try:
+        rho, E = np.asarray(material.rho, float), np.asarray(material.E, float)
+    except (TypeError, ValueError):
+        raise SceneError(f"{name}: rho = {material.rho!r} and E = {material.E!r} must be numbers") from None
     if rho.shape != (3,) or E.shape != (3,):
         raise SceneError(f"{name}: rho and E need three numbers each (red, green, blue)")
     if not np.isfinite([rho, E]).all():
@@ -127,8 +130,16 @@ def _check_material(material: Material) -> None:
         raise SceneError(
             f"{name}: the reflectance rho = {material.rho} must be at least 0 and less than 1, or light never ends"
         )
-    if (E < 0.0).any():
-        raise SceneError(f"{name}: the exitance E = {material.E} must not be negative")
+    if (E < 0.0).any() or (E > 1e30).any():
+        raise SceneError(f"{name}: the exitance E = {material.E} must not be negative, nor above 1e30")
+
+
+def view_of(points: Float) -> View:
+    """A camera for points (n, 3): from the front, a little above, so far that all is seen."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle, size = (low + high) / 2.0, float(np.linalg.norm(high - low))
+    eye = middle + size * np.array([0.35, 0.3, 1.2])
+    return View(tuple(eye.tolist()), tuple(middle.tolist()), fov=40.0)
 
 
 def normal_of(ring: Float) -> Float:
@@ -231,12 +242,20 @@ class Builder:
         self.materials: list[Material] = []
 
     def add(self, rings: Iterable[ArrayLike], material: Material, smooth: bool = False) -> None:
-        """smooth: the polygons are one curved surface."""
+        """rings: polygons, each (k, 3).  smooth: they are one curved surface.  Raises SceneError for other shapes."""
         if material not in self.materials:
             self.materials.append(material)
         group = max(self.group, default=-1) + 1
         for ring in rings:
-            self.rings.append(np.array(ring, np.float64))
+            try:
+                corners = np.array(ring, np.float64)
+            except (TypeError, ValueError):
+                corners = np.zeros(0)
+            if corners.ndim != 2 or corners.shape[1] != 3:
+                raise SceneError(
+                    f"{self.name}: add takes a list of polygons, each a list of corners (x, y, z), not {ring!r}"
+                )
+            self.rings.append(corners)
             self.material.append(self.materials.index(material))
             self.group.append(group)
             group += not smooth

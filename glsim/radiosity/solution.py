@@ -47,6 +47,7 @@ def solve(
     from glsim.radiosity.load import scene_from
 
     _check(method, vertices, adaptive, close, scheduler)
+    _check_numbers(patches, tolerance, accuracy, threads)
     tell = progress or (lambda stage, done, of: None)
     seconds: dict[str, float] = {}
     with _timed(seconds, "patches"):
@@ -136,9 +137,19 @@ def _check(method: str, vertices: str, adaptive: bool, close: bool, scheduler: s
         raise SceneError("hierarchical radiosity neither needs --adaptive (its links adapt) nor knows --close")
 
 
+def _check_numbers(patches: int, tolerance: float, accuracy: float, threads: int | None) -> None:
+    for name, value in (("patches", patches), ("threads", 1 if threads is None else threads)):
+        if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
+            raise SceneError(f"{name} must be a whole number from 1 on, not {value!r}")
+    for name, number in (("tolerance", tolerance), ("accuracy", accuracy)):
+        if not isinstance(number, (int, float)) or not 0.0 < number < 1.0:
+            raise SceneError(f"the {name} must be a number between 0 and 1, not {number!r}")
+
+
 def _sees_itself(factors: Factors) -> None:
     parts = factors.patches
-    if float(factors.row_sums @ parts.area) < 1e-3 * float(parts.area.sum()):
+    dark = parts.E.max(axis=1) == 0.0
+    if dark.any() and float(factors.row_sums @ parts.area) < 1e-3 * float(parts.area.sum()):
         raise SceneError(
             f"{parts.scene.name}: no patch sees another: are the normals inverted? A room shows its fronts inside;"
             " --flip turns them"
