@@ -303,6 +303,17 @@ def test_what_stands_free_is_seen(height: float, thickness: float) -> None:
     assert result.B[~shines].max() > 0.5
 
 
+def test_the_floor_below_a_table_stays() -> None:
+    """Below a sheet that shows its back, but not inside of anything."""
+    b = Builder("table")
+    b.add(box((0, 0, 0), (6, 3, 4), inside=True), Material("wall", (0.7,) * 3, (1.0,) * 3))
+    b.add([quad((2, 0.8, 1.5), (2, 0.8, 2.5), (4, 0.8, 2.5), (4, 0.8, 1.5))], Material("wood", (0.5,) * 3))
+    parts = subdivide(b.scene().checked(), 700)
+    floor = parts.polygon == 2
+    assert parts.normal[floor][0] == pytest.approx([0.0, 1.0, 0.0])
+    assert parts.area[floor].sum() == pytest.approx(24.0)
+
+
 def test_a_sheet_has_two_sides() -> None:
     """Two rooms with a wall between them, red on one side, blue on the other: nothing gets through, nothing is lost."""
     b = Builder("rooms")

@@ -18,7 +18,7 @@ Int = NDArray[np.int64]
 def exposed(patches: Patches) -> Patches:
     """Without patches that are covered: inside of a body that stands on them, or behind a coplanar lamp.
 
-    A patch is covered where most rays from its middle, and from near all of its corners, meet the backs of others;
+    A patch is covered where nearly all rays from its middle and from near its corners meet the backs of others;
     where a smaller polygon of its own plane lies on it; or where one of its plane looks the other way, as a floor does
     to a crate's bottom, and no ray meets a front.
     """
@@ -47,38 +47,45 @@ def exposed(patches: Patches) -> Patches:
 
 
 def covered(scene: Scene, points: Float, ways: Float) -> NDArray[np.bool_]:
-    """Whether points (n, 3) with normals are inside of something: most rays from them meet backs."""
-    return np.asarray(met(scene, points, ways)[1] > 2)
+    """Whether points (n, 3) with normals are inside of something: rays from them meet backs."""
+    fronts, backs, both = met(scene, points, ways)
+    missed = 9 - fronts - backs - both
+    return np.asarray((backs > 2) & (fronts + missed <= backs // 8))
 
 
-def met(scene: Scene, points: Float, ways: Float) -> tuple[Int, Int]:
-    """How many of five rays from points (n, 3) with normals meet fronts, and how many backs, (n,) each."""
+def met(scene: Scene, points: Float, ways: Float) -> tuple[Int, Int, Int]:
+    """How many of nine rays from points (n, 3) with normals meet fronts, how many backs, and how many a place where one
+    polygon shows its front and another its back, (n,) each: nobody can say which comes first."""
     from embreex.mesh_construction import TriangleMesh
     from embreex.rtcore_scene import EmbreeScene
 
-    embree = EmbreeScene()
     owner = np.array([k for k, ring in enumerate(scene.rings) for _ in range(len(ring) - 2)])
     normals = np.array([normal_of(ring) for ring in scene.rings])
-    triangles = scene.triangles() + 2e-5 * scene.size * normals[owner, None]  # of a sheet, either side by itself
-    middle = triangles.mean(axis=(0, 1))  # around which single precision is enough
-    TriangleMesh(embree, np.ascontiguousarray(triangles - middle, np.float32))
+    middle = scene.triangles().mean(axis=(0, 1))  # around which single precision is enough
     origins = (points - middle + 1e-4 * scene.size * ways).astype(np.float32)
-    fronts, backs = np.zeros(len(points), np.int64), np.zeros(len(points), np.int64)
-    for way in np.moveaxis(_fan(ways), 1, 0) if len(points) else ():
-        hit = embree.run(origins, np.ascontiguousarray(way, np.float32))
-        cosine = np.einsum("nk,nk->n", normals[owner[np.maximum(hit, 0)]], way)
-        backs += (hit >= 0) & (cosine > 1e-9)
-        fronts += (hit >= 0) & (cosine < -1e-9)
-    return fronts, backs
+    facing = np.zeros((2, 9, len(points)), np.int64)  # 1: a front, -1: a back, 0: nothing
+    for which, shift in enumerate((2e-5, -2e-5)):  # polygons a little before or behind where they are
+        embree = EmbreeScene()
+        triangles = scene.triangles() - middle + shift * scene.size * normals[owner, None]
+        kept = TriangleMesh(embree, np.ascontiguousarray(triangles, np.float32))
+        for number, way in enumerate(np.moveaxis(_fan(ways), 1, 0) if len(points) else ()):
+            hit = embree.run(origins, np.ascontiguousarray(way, np.float32))
+            cosine = np.einsum("nk,nk->n", normals[owner[np.maximum(hit, 0)]], way)
+            facing[which, number] = np.where(hit >= 0, -np.sign(np.round(cosine, 9)), 0)
+        del kept
+    same = facing[0] == facing[1]
+    counts = [(same & (facing[0] == kind)).sum(axis=0) for kind in (1, -1)]
+    return counts[0], counts[1], (~same).sum(axis=0)
 
 
 def _fan(normals: Float) -> Float:
-    """Five directions about each normal: (n, 5, 3)."""
+    """Nine directions about each normal, the last four far from it: (n, 9, 3)."""
     other = np.where(np.abs(normals[:, :1]) < 0.7, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
     t = np.cross(normals, other)
     t /= np.linalg.norm(t, axis=1, keepdims=True)
     b = np.cross(normals, t)
-    return np.stack([normals, *(normals + 0.8 * side for side in (t, -t, b, -b))], axis=1)
+    sides = [slope * side for slope, side in ((0.8, t), (0.8, b), (4.0, t + b), (4.0, t - b))]
+    return np.stack([normals, *(normals + side for side in sides), *(normals - side for side in sides)], axis=1)
 
 
 def _coplanar(patches: Patches, normals: Float) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:

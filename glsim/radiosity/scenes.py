@@ -147,8 +147,8 @@ def factory() -> Scene:
         b.add(_cylinder((x, 0.0, 3.5), 0.85, 3.2), steel)
     for x, z, size in ((3.0, 10.0, 1.4), (4.9, 10.3, 1.0), (9.5, 10.8, 1.6), (20.0, 10.0, 1.5), (20.2, 11.9, 1.0)):
         b.add(box((x, 0, z), (x + size, size, z + size)), Material("crate", (0.6, 0.42, 0.22)))
-    b.add(box((11.0, 6.0, 0.6), (11.8, 6.7, 13.4)), orange)  # the crane
-    b.add(box((11.2, 3.4, 6.6), (11.6, 6.0, 7.0)), steel)
+    b.add(box((8.6, 6.0, 0.6), (9.4, 6.7, 13.4)), orange)  # the crane
+    b.add(box((8.8, 3.4, 6.6), (9.2, 6.0, 7.0)), steel)
     return b.scene(View((22.6, 3.6, 11.9), (8.0, 2.0, 3.5), fov=55), View((0.8, 2.2, 13.0), (14.0, 2.0, 4.0), fov=55))
 
 
