@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
+import sys
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -30,6 +33,7 @@ from glsim.radiosity.solvers import SOLVERS, System, solved
 from glsim.radiosity.textbook import monte_carlo
 from glsim.radiosity.visibility import Visibility
 
+ENVIRONMENT = {**os.environ, "PYTHONPATH": str(Path(__file__).parent.parent)}
 REFERENCE = Path(__file__).parent / "reference"
 CASES = json.loads((REFERENCE / "analytic_cases.json").read_text())
 
@@ -851,6 +855,21 @@ def test_what_the_command_refuses(words: str, sentence: str, folder: Path, capsy
     assert run(words) == 1
     assert sentence in capsys.readouterr().err
     assert not list(folder.iterdir())
+
+
+@pytest.mark.parametrize("package", ["numba", "embreex"])
+@pytest.mark.parametrize("words", ["radiosity plates", "compare plates --modes radiosity"])
+def test_a_package_that_is_missing(package: str, words: str, folder: Path) -> None:
+    (folder / package).mkdir()
+    text = f"raise ModuleNotFoundError('no {package}', name='{package}')"
+    (folder / package / "__init__.py").write_text(text)
+    hide = (
+        f"import importlib.util as u\nold = u.find_spec\nu.find_spec = lambda n: None if n == '{package}' else old(n)"
+    )
+    code = f"{hide}\nfrom glsim.cli import main\nraise SystemExit(main({words.split()!r}))"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=folder, env=ENVIRONMENT)
+    assert ran.returncode == 1
+    assert ran.stderr.splitlines()[-1] == f"glsim: radiosity needs the package {package}: pip install glsim[radiosity]"
 
 
 def test_the_command_interrupted(

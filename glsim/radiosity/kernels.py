@@ -16,9 +16,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-import numba as nb
 import numpy as np
 from numpy.typing import NDArray
+
+from glsim.radiosity.scene import SceneError
+
+try:
+    import numba as nb
+except ModuleNotFoundError as error:
+    raise SceneError("radiosity needs the package numba: pip install glsim[radiosity]") from error
 
 Float = NDArray[np.float64]
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -36,6 +42,7 @@ def parallel(function: Function) -> Function:
     return compiled  # type: ignore[no-any-return]
 
 
+prange = nb.prange  # for others, so that the sentence above comes first
 NEAR, MIDDLE = 3.0, 9.0  # distances, in diameters of the larger polygon
 MOST_CORNERS = 6  # a quad clipped by a plane has five
 TINY = 1e-12

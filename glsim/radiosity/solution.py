@@ -124,9 +124,8 @@ def _usual(factors: Factors) -> str:
 
 
 def _check(method: str, vertices: str, adaptive: bool, close: bool, scheduler: str | None) -> None:
-    for name in ("numba", "embreex"):
-        if find_spec(name) is None:
-            raise SceneError(f"radiosity needs the package {name}: pip install glsim[radiosity]")
+    if find_spec("embreex") is None:
+        raise SceneError("radiosity needs the package embreex: pip install glsim[radiosity]")
     if vertices not in VERTICES:
         raise SceneError(f"the radiosity at vertices is made by {' or '.join(VERTICES)}, not {vertices!r}")
     if method not in METHODS:

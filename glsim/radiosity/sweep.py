@@ -4,10 +4,21 @@ from __future__ import annotations
 
 from typing import Any
 
-import numba as nb
 import numpy as np
 
-from glsim.radiosity.kernels import MOST_CORNERS, _area, _dot, at_point, clip, jit, lambert, pair, parallel, too_far
+from glsim.radiosity.kernels import (
+    MOST_CORNERS,
+    _area,
+    _dot,
+    at_point,
+    clip,
+    jit,
+    lambert,
+    pair,
+    parallel,
+    prange,
+    too_far,
+)
 
 
 @jit
@@ -30,7 +41,7 @@ def sweep(S: Any, area: Any, rho: Any, E: Any, B: Any, omega: float) -> None:
 def product(S: Any, B: Any, out: Any) -> None:
     """out = S B for B (n, 3)."""
     n = len(S)
-    for i in nb.prange(n):
+    for i in prange(n):
         r = g = b = 0.0
         for j in range(n):
             s = S[i, j]
@@ -72,7 +83,7 @@ def link_factors(
     """S (k,) of pairs of nodes (k, 2), nothing in between; for each end how the form factor changes over it, relative
     to its mean: tilt (k, 2, 3); and by how much it differs from that at the middles of its parts, (k, 2).  An element
     has neither."""
-    for row in nb.prange(len(pairs)):
+    for row in prange(len(pairs)):
         p, q = pairs[row, 0], pairs[row, 1]
         work_1, work_2 = np.empty((MOST_CORNERS, 3)), np.empty((MOST_CORNERS, 3))
         S[row] = pair(
@@ -162,7 +173,7 @@ def uneven(
     """What is added to the irradiance at points[rows] because patches[columns] are as bright as ``bright`` (n, 4, 3)
     between their corners, and not evenly so bright as their mean: (k, 3).  0 for form factors below ``least``."""
     parts = 4  # along each edge
-    for row in nb.prange(len(rows)):
+    for row in prange(len(rows)):
         v, j = rows[row], columns[row]
         work, ring = np.empty((MOST_CORNERS, 3)), np.empty((4, 3))
         whole = at_point(points[v], ways[v], rings[j], counts[j], normals[j], work)
