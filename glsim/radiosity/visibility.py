@@ -2,7 +2,7 @@
 
 The share of a pair's form factor that is not blocked is sum w V / sum w, over rays with the kernel's weights
 w = cos(theta_1) cos(theta_2) / r^2.  Sixteen rays first; where they disagree, 48 more.  The points depend on the pair
-alone, so results are the same however many threads work.
+alone, so results are the same however many threads work.  Of few patches, all large, each pair gets twice as many.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from glsim.radiosity.scene import Scene, area_of, normal_of
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 FIRST, MORE = 16, 48  # rays of a pair
+FEW = 1000  # patches, of which each pair gets twice as many
 POINT_RAYS = 8  # from a vertex to a patch, before MORE
 FEW_RAYS = 2  # from a vertex to a patch that sends little
 CHUNK = 1 << 12  # pairs at a time, in each thread
@@ -30,7 +31,7 @@ GAP = 1e-5  # of the scene's size, left out at both ends of a ray, so that it do
 
 # Fractional parts of k times these are evenly spread over the four-dimensional cube (Roberts 2018).
 _ROOT = 1.1673039782614187  # x^5 = x + 1
-TABLE = np.outer(np.arange(FIRST + MORE), [_ROOT**-k for k in range(1, 5)]) % 1.0
+TABLE = np.outer(np.arange(2 * (FIRST + MORE)), [_ROOT**-k for k in range(1, 5)]) % 1.0
 
 
 @jit
@@ -46,7 +47,7 @@ def _rays(
 ) -> None:  # fmt: skip
     """Rays first .. first + count of each pair: origins, ways (count per pair, 3) float32, and weights.
 
-    table: where each ray begins and ends, (FIRST + MORE, 4) in [0, 1), shifted for each pair.
+    table: where each ray begins and ends, (rays, 4) in [0, 1), shifted for each pair.
     """
     e, shift = np.empty((2, 4, 3)), np.empty(4)
     for row in range(len(pairs)):
@@ -438,11 +439,12 @@ class Visibility:
 
     def _chunk(self, rings: Float, counts: Int, normals: Float, pairs: Int) -> Float:
         seen, total = np.zeros(len(pairs)), np.zeros(len(pairs))
-        self._shoot(rings, counts, normals, pairs, 0, FIRST, seen, total)
+        times = 2 if len(rings) < FEW else 1
+        self._shoot(rings, counts, normals, pairs, 0, times * FIRST, seen, total)
         mixed = np.flatnonzero((seen > 0.0) & (seen < total))
         if len(mixed):
             more, of = np.zeros(len(mixed)), np.zeros(len(mixed))
-            self._shoot(rings, counts, normals, pairs[mixed], FIRST, MORE, more, of)
+            self._shoot(rings, counts, normals, pairs[mixed], times * FIRST, times * MORE, more, of)
             seen[mixed] += more
             total[mixed] += of
         return np.divide(seen, total, out=np.zeros_like(seen), where=total > 0.0)
