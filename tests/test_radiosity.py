@@ -407,8 +407,8 @@ def deviation(B: np.ndarray, traced: dict[str, np.ndarray], key: str = "B") -> t
 
 def test_cornell_box(traced: dict[str, np.ndarray], on_reference: tuple[Patches, np.ndarray, FormFactors]) -> None:
     rms, bias = deviation(on_reference[1], traced)
-    assert rms < 0.0085
-    assert abs(bias) < 0.0008
+    assert rms < 0.0075
+    assert abs(bias) < 0.0005
 
 
 def test_cornell_box_with_four_times_the_patches(traced: dict[str, np.ndarray]) -> None:
