@@ -28,7 +28,7 @@ def exposed(patches: Patches) -> Patches:
     for corner in range(4):
         some = np.flatnonzero(hidden)
         near = 0.9 * patches.rings[some, corner] + 0.1 * patches.center[some]
-        hidden[some] = covered(scene, near, patches.normal[some])
+        hidden[some] = covered(scene, near, patches.normal[some], least=0)
     smaller, opposite = _coplanar(patches, normals)
     there = np.flatnonzero(opposite)
     hidden |= smaller
@@ -46,11 +46,11 @@ def exposed(patches: Patches) -> Patches:
     return patches_from(noted, p.rings[seen], p.counts[seen], p.polygon[seen], p.level[seen])
 
 
-def covered(scene: Scene, points: Float, ways: Float) -> NDArray[np.bool_]:
-    """Whether points (n, 3) with normals are inside of something: rays from them meet backs."""
+def covered(scene: Scene, points: Float, ways: Float, least: int = 3) -> NDArray[np.bool_]:
+    """Whether points (n, 3) with normals are inside of something: rays from them, at least so many, meet backs."""
     fronts, backs, both = met(scene, points, ways)
     missed = 9 - fronts - backs - both
-    return np.asarray((backs > 2) & (fronts + missed <= backs // 8))
+    return np.asarray((backs >= least) & (fronts + missed <= backs // 8))
 
 
 def met(scene: Scene, points: Float, ways: Float) -> tuple[Int, Int, Int]:
