@@ -7,12 +7,11 @@ surface has a crease.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.exposure import covered
+from glsim.radiosity.formfactors import Progress
 from glsim.radiosity.mesh import Mesh
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.solvers import Factors
@@ -21,7 +20,6 @@ from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
-Progress = Callable[[str, int, int], object]
 AT_ONCE = 1024  # points
 NEAR = 0.02  # form factors from which on it matters that a patch is not evenly bright
 

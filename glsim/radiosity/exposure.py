@@ -67,12 +67,11 @@ def met(scene: Scene, points: Float, ways: Float) -> tuple[Int, Int, Int]:
     for which, shift in enumerate((2e-5, -2e-5)):  # polygons a little before or behind where they are
         embree = EmbreeScene()
         triangles = scene.triangles() - middle + shift * scene.size * normals[owner, None]
-        kept = TriangleMesh(embree, np.ascontiguousarray(triangles, np.float32))
+        TriangleMesh(embree, np.ascontiguousarray(triangles, np.float32))
         for number, way in enumerate(np.moveaxis(_fan(ways), 1, 0) if len(points) else ()):
             hit = embree.run(origins, np.ascontiguousarray(way, np.float32))
             cosine = np.einsum("nk,nk->n", normals[owner[np.maximum(hit, 0)]], way)
             facing[which, number] = np.where(hit >= 0, -np.sign(np.round(cosine, 9)), 0)
-        del kept
     same = facing[0] == facing[1]
     counts = [(same & (facing[0] == kind)).sum(axis=0) for kind in (1, -1)]
     return counts[0], counts[1], (~same).sum(axis=0)

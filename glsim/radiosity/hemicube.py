@@ -7,15 +7,13 @@ complex environments (1985); Cohen & Wallace (1993), section 4.8.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.radiosity.formfactors import Progress
 from glsim.radiosity.patches import Patches
 
 Float = NDArray[np.float64]
-Progress = Callable[[str, int, int], object]
 RESOLUTION = 128  # pixels along an edge of the cube
 AT_ONCE = 16  # hemicubes in one picture, above each other
 

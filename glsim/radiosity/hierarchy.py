@@ -8,7 +8,6 @@ Hanrahan, Salzman and Aupperle, A rapid hierarchical radiosity algorithm (1991);
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -17,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.checkpoint import Checkpoint
-from glsim.radiosity.formfactors import DIM, NEGLIGIBLE, brightness, compute, memory_of_machine
+from glsim.radiosity.formfactors import DIM, NEGLIGIBLE, Progress, brightness, compute, memory_of_machine
 from glsim.radiosity.patches import Patches, length_for, number_of_cells, patches_from, subdivide
 from glsim.radiosity.quadtree import quarters
 from glsim.radiosity.scene import Scene, SceneError
@@ -26,7 +25,6 @@ from glsim.radiosity.visibility import FIRST, Visibility
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
-Progress = Callable[[str, int, int], object]
 ROOTS = 1600  # about how many patches there are at most before they are divided
 DEEPEST = 6  # levels below a root
 BLOCK = 1 << 19  # pairs at a time

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.bake import averaged, gathered
-from glsim.radiosity.formfactors import METHODS, FormFactors, compute
+from glsim.radiosity.formfactors import METHODS, FormFactors, Progress, compute
 from glsim.radiosity.hierarchy import ACCURACY, linked, tree_of
 from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.patches import subdivide
@@ -22,7 +22,6 @@ from glsim.radiosity.scene import SceneError
 from glsim.radiosity.solvers import WITHOUT_MATRIX, Factors, Step, solved
 
 Float = NDArray[np.float64]
-Progress = Callable[[str, int, int], object]
 VERTICES = ("gather", "average")
 
 

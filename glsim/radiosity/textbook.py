@@ -3,16 +3,14 @@ disc, and by Monte Carlo.  (Cohen & Wallace 1993, sections 4.7 and 4.11)"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.radiosity.formfactors import Progress
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]
-Progress = Callable[[str, int, int], object]
 
 
 def disc_or_point(patches: Patches, disc: bool, progress: Progress) -> NDArray[np.float32]:

@@ -179,12 +179,12 @@ def _compare_radiosity(
 ) -> Comparison:
     """Light from the scene's own surfaces: by the fixed function's equation, directly with shadows, and bouncing."""
     from glsim.radiosity import solve
-    from glsim.radiosity.bake import GAMMA
+    from glsim.radiosity.bake import toned
     from glsim.radiosity.lit import draw_lit
     from glsim.render.context import offscreen
 
     result = solve(what, patches, progress=lambda stage, done, of: tell(f"{stage}: {100 * done // max(of, 1)} %"))
-    screen_values = np.round(255.0 * (np.arange(256) / 255.0) ** (1.0 / GAMMA)).astype(np.uint8)
+    screen_values = np.round(255.0 * toned(np.arange(256) / 255.0, 1.0)).astype(np.uint8)
     images = {}
     samples = 0 if "native" in modes else 4  # the driver's fixed function is drawn without
     with offscreen(size, size, samples=samples) as screen:
