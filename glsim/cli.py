@@ -9,13 +9,15 @@ import argparse
 import json
 import os
 import re
+import signal
 import sys
+import threading
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from glsim.machine.errors import GLError
-from glsim.options import camera, check_picture_name, console, count, light, number, rectangle, size
+from glsim.options import camera, check_picture_name, console, count, light, number, positive, rectangle, size
 
 if TYPE_CHECKING:
     from glsim.machine.frame import Frame
@@ -27,6 +29,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     split = words.index("--") if "--" in words else len(words)  # what follows is for the program that is run
     options = _parser().parse_args(words[:split])
     options.arguments = words[split + 1 :]
+    _end_on_signals()
     try:
         return int(options.run(options))
     except KeyboardInterrupt:
@@ -41,6 +44,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
         else:
             print(f"glsim: {error}", file=sys.stderr)
         return 1
+
+
+def _end_on_signals() -> None:
+    """SIGTERM and SIGHUP unwind the command as Ctrl-C does, so that nothing half-done and no process stays."""
+
+    def leave(number: int, frame: object) -> None:
+        raise SystemExit(128 + number)
+
+    if threading.current_thread() is threading.main_thread():
+        for name in ("SIGTERM", "SIGHUP"):
+            if signal.getsignal(number := getattr(signal, name, signal.SIGINT)) is signal.SIG_DFL:
+                signal.signal(number, leave)
 
 
 def _with_negative_numbers(words: Sequence[str]) -> list[str]:
@@ -188,7 +203,7 @@ def _add_run(commands: Any) -> None:
     p.add_argument("--lobe", choices=("blinn", "phong"), help="the specular lobe: (N.H)^n or (R.V)^n")
     p.add_argument("--window", action="store_true", help="show real windows (needs the package glfw)")
     p.add_argument("--real-time", action="store_true", help="let the clock run, instead of 20 ms a step")
-    p.add_argument("--timeout", type=float, default=None, metavar="SECONDS",
+    p.add_argument("--timeout", type=positive, default=None, metavar="SECONDS",
                    help="stop the program after this time (default: 60; with --window never)")  # fmt: skip
     p.add_argument("--gif", metavar="FILE", help="an animation of all steps")
     p.add_argument("--mp4", metavar="FILE", help="an animation of all steps (needs the package imageio-ffmpeg)")
@@ -199,8 +214,11 @@ def _add_run(commands: Any) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from glsim.study.play import Plan
-    from glsim.study.run import animate, events_from, run
+    from glsim.study.run import animate, check_animation, events_from, run
 
+    animations = {kind: Path(name) for kind in ("gif", "mp4") if (name := getattr(options, kind)) is not None}
+    for kind, target in animations.items():
+        check_animation(kind, target)
     out = options.out or (None if options.window else "frames")
     plan = Plan(
         options.script, options.arguments, out, options.frames, events_from(options.keys, options.events),
@@ -209,9 +227,14 @@ def _run(options: argparse.Namespace) -> int:
     )  # fmt: skip
     timeout = options.timeout or (None if options.window else 60.0)
     record = run(plan, timeout)
-    for target in filter(None, (options.gif, options.mp4)):
-        first = [Path(out or ".") / name for name in record["pictures"] if "_w" not in name]
-        animate(first, Path(target))
+    first = [Path(out or ".") / name for name in record["pictures"] if "_w" not in name]
+    code = {"ok": 0, "interrupted": 130}.get(record["status"], 1)
+    for kind, target in animations.items():
+        try:
+            animate(first, target)
+        except (ValueError, OSError) as error:
+            record["notes"].append(f"--{kind}: {error}")
+            code = code or 1
     if options.json:
         print(json.dumps(record))
     else:
@@ -219,7 +242,7 @@ def _run(options: argparse.Namespace) -> int:
             print(f"glsim run: {note}", file=sys.stderr)
         where = f", pictures in {out}" if record["pictures"] else ""
         print(f"{options.script}: {record['status']}, {record['frames']} frames{where}")
-    return 0 if record["status"] == "ok" else 1
+    return code
 
 
 # ---------------------------------------------------------------- probe, terms, explain, trace
@@ -236,7 +259,7 @@ def _add_study(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
     p.add_argument("--events", default=None, metavar='"key a;..."', help="events of a program, as for glsim run")
     p.add_argument("--size", type=size, default=None, metavar="N",
                    help="pixels of the picture (default: 512, or as a program asks)")  # fmt: skip
-    p.add_argument("--timeout", type=float, default=None, metavar="SECONDS", help="for a program (default: 60)")
+    p.add_argument("--timeout", type=positive, default=None, metavar="SECONDS", help="for a program (default: 60)")
     p.add_argument("--json", action="store_true", help="print one JSON object")
     return p
 

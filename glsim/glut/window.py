@@ -49,10 +49,7 @@ class Window:
 
     def picture(self) -> Pixels:
         """What has been drawn until now."""
-        machine = self.screen.machine
-        if machine.inside is None and machine.compiling is None:
-            machine.flush()
-        return np.ascontiguousarray(self.screen.read(0, 0, *self.asked, "color")[::-1, :, :3])
+        return picture_of(self.screen, *self.asked)
 
     def resize(self) -> None:
         """Give the context the size that was asked for."""
@@ -61,3 +58,15 @@ class Window:
 
     def release(self) -> None:
         self.screen.release()
+
+
+def flushed(screen: Offscreen) -> None:
+    """Draw what can be drawn now: nothing between glBegin and glEnd or while a display list is compiled."""
+    if screen.machine.inside is None and screen.machine.compiling is None:
+        screen.machine.flush()
+
+
+def picture_of(screen: Offscreen, width: int, height: int) -> Pixels:
+    """What has been drawn until now: (height, width, 3) uint8, top row first."""
+    flushed(screen)
+    return np.ascontiguousarray(screen.read(0, 0, width, height, "color")[::-1, :, :3])

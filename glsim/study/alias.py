@@ -46,14 +46,25 @@ class _Finder(MetaPathFinder, Loader):
     def exec_module(self, module: ModuleType) -> None:
         module.__file__ = f"<glsim for {module.__name__}>"
         known = CONTENT.get(module.__name__)
-        content = known() if known is not None else _extension(module.__name__)
-        names = content.get("__all__")
-        for name, value in content.items():
-            public = name.startswith(("gl", "glu", "glut")) and callable(value)
-            counted = public and not isinstance(value, (type, Later))
-            module.__dict__[name] = self.wrap(name, value) if counted else value
-        if names is not None:
-            module.__dict__["__all__"] = list(names)
+        fill(module, known() if known is not None else _extension(module.__name__), self.wrap)
+
+
+def fill(module: ModuleType, content: Mapping[str, Any], wrap: Wrap) -> None:
+    """Put names into a module, commands wrapped."""
+    for name, value in content.items():
+        public = name.startswith("gl") and callable(value) and not isinstance(value, (type, Later))
+        module.__dict__[name] = wrap(name, value) if public else value
+    if "__all__" in content:
+        module.__dict__["__all__"] = list(content["__all__"])
+
+
+def counted_libraries(wrap: Wrap) -> dict[str, ModuleType]:
+    """glsim.gl, glu and glut with every command wrapped."""
+    libraries = {}
+    for name in ("glsim.gl", "glsim.glu", "glsim.glut"):
+        libraries[name] = ModuleType(name)
+        fill(libraries[name], vars(import_module(name)), wrap)
+    return libraries
 
 
 def _library(which: str) -> dict[str, Any]:

@@ -25,7 +25,7 @@ from glsim.machine.constants import (
 from glsim.machine.frame import Draw, Frame, Vertices
 from glsim.scenes import Camera, Lamp
 from glsim.study.capture import capture
-from glsim.study.frames import drawer
+from glsim.study.frames import drawer, frame_of_program
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -204,19 +204,22 @@ def _compare_radiosity(
 def _compare_program(
     script: Path, modes: tuple[str, ...], lobes: tuple[str, ...], tell: Callable[[str], object]
 ) -> Comparison:
-    """The first picture of a program, run once for each mode and lobe."""
+    """The first picture of a program, run once for each mode and lobe; native replays the calls it made."""
     from PIL import Image
 
     from glsim.study.play import Plan
     from glsim.study.run import run
 
-    if "native" in modes:
-        raise ValueError("compare: a program cannot be drawn by the driver's fixed function here; leave native out")
     images = {}
     with tempfile.TemporaryDirectory(prefix="glsim-") as folder:
         for lobe in lobes:
             for mode in modes:
+                if mode == "native" and lobe != "blinn":
+                    continue  # fixed function has no other lobe
                 tell(f"running {script.name}: {MODES[mode]}, {LOBES[lobe]}")
+                if mode == "native":
+                    images[lobe, mode] = _native(frame_of_program(script, calls=True))
+                    continue
                 record = run(Plan(str(script), out=folder, shade=mode, lobe=lobe))
                 if record["status"] != "ok" or not record["pictures"]:
                     reasons = [error["error"] for error in record["errors"]] + record["notes"]

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-import pickle
 import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from glsim.machine import archive
 from glsim.machine.frame import Accum, Clear, Frame, Packet, QueryMark, Where
 from glsim.scenes import Camera, Lamp, Scene, open_scene
 from glsim.scenes.load import from_trimesh
@@ -74,11 +74,13 @@ def frame_of_program(
                     count=True, size=(size, size) if size is not None else None)  # fmt: skip
         record = run(plan, timeout)
         errors = record["errors"]
+        if record["status"] == "interrupted":
+            raise KeyboardInterrupt
         if not os.path.exists(target):
             reasons = [error["error"] for error in errors] or record["notes"]
             reason = "it opens no window" if record["status"] == "no-window" else (reasons or [record["status"]])[0]
             raise ValueError(f"{script} gives no picture: {reason}")
-        frame: Frame = pickle.loads(Path(target).read_bytes())
+        frame = archive.load(target)
     if errors:
         frame.error = errors[0]["error"]
         frame.error_at = Where(str(Path(script).resolve()), errors[0]["line"]) if errors[0]["line"] else None
