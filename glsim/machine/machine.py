@@ -112,11 +112,14 @@ class Machine:
         self.device = device
         self.capturing: Frame | None = None
         self.change: Callable[[Draw], Draw] | None = None  # made of every Draw: another shade model, say
-        self.recorder: Callable[[str, tuple[Any, ...]], Any] | None = None
         self.reset()
 
     def reset(self) -> None:
-        """Set every state to its initial value; what was drawn and not flushed is dropped."""
+        """Set every state to its initial value; what was drawn and not flushed is dropped.
+
+        A Frame that is being captured, and a Recorder, begin anew.
+        """
+        recorder: Any = getattr(self, "recorder", None)
         # current values, section 2.7
         self.nx, self.ny, self.nz = 0.0, 0.0, 1.0
         self.red = self.green = self.blue = self.alpha = 1.0
@@ -175,12 +178,18 @@ class Machine:
         self.stack = self.modelview
         # vertices and packets since the last flush
         self.inside: int | None = None
-        self.recorder = None
+        self.recorder: Callable[[str, tuple[Any, ...]], Any] | None = None
         self.busy = False
         self.first = 0
         self.begin_material = self.material
         self.packets: list[Packet] = []
         self._new_stream()
+        if self.capturing is not None:
+            self.capturing.packets.clear()
+        recorder = getattr(recorder, "outer", recorder)  # of a display list that was being compiled
+        if recorder is not None:
+            recorder.restart()
+            self.record(recorder)
 
     def _new_stream(self) -> None:
         self.stream = io.BytesIO()

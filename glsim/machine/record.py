@@ -31,6 +31,11 @@ class Recorder:
         if not self.history:
             self.history.append(moment(machine, len(self.calls) - 1))
 
+    def restart(self) -> None:
+        """Forget the calls until now: the machine was reset."""
+        self.calls.clear()
+        self.history[:] = [moment(self.machine, -1)]
+
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
         if name in HOT:
             return self._hot(name, arguments)

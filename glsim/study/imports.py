@@ -23,6 +23,8 @@ from typing import Any
 
 import numpy as np
 
+LIBRARIES = {"PIL", "fissix", "glfw", "rich", "scipy", "trimesh"}  # that glsim loads when they are needed
+PRIVATE = "_own_"  # begins the names in sys.modules of own modules that have the name of one of Python's
 EPOCH = 1_000_000_000.0  # what time.time() says at the start, in seconds
 
 
@@ -35,9 +37,8 @@ class OwnImports:
     def __init__(self, folder: str, stand_ins: dict[str, ModuleType], loader: type[SourceFileLoader]) -> None:
         self.folder, self.stand_ins, self.loader = folder, stand_ins, loader
         self.inside = os.path.join(folder, "")
-        self.shadowing: dict[str, ModuleType] = {}  # own modules that have the name of another one
         # Only own files may find these in the folder.
-        self.hidden = sys.stdlib_module_names | {name.partition(".")[0] for name in sys.modules}
+        self.hidden = sys.stdlib_module_names | LIBRARIES | {name.partition(".")[0] for name in sys.modules}
         self.own_files: dict[Any, bool] = {}
         self.python_import = builtins.__import__
 
@@ -48,9 +49,10 @@ class OwnImports:
         builtins.__import__ = self._import
 
     def _finder(self, path: str) -> Any:
-        if os.path.abspath(path) != self.folder:
+        path = os.path.abspath(path)
+        if not self._is_own(os.path.join(path, "")):
             raise ImportError
-        return _Finder(self.folder, (self.loader, [".py"]), hidden=self.hidden)
+        return _Finder(path, (self.loader, [".py"]), hidden=self.hidden if path == self.folder else frozenset())
 
     def _import(
         self,
@@ -61,35 +63,38 @@ class OwnImports:
         level: int = 0,
     ) -> Any:
         if level == 0 and isinstance(globals, dict) and self._is_own(globals.get("__file__")):
-            if name in self.hidden and (found := self._beside(name)) is not None:
-                return found
-            if name in self.stand_ins and (fromlist or "." not in name):
+            top = name.partition(".")[0]
+            if top in self.hidden and self._load_beside(top):
+                name = PRIVATE + name
+            elif name in self.stand_ins and (fromlist or "." not in name):
                 return self.stand_ins[name]
         return self.python_import(name, globals, locals, fromlist or (), level)
 
     def _is_own(self, file: Any) -> bool:
         if file not in self.own_files:
-            inside = isinstance(file, str) and os.path.abspath(file).startswith(self.inside)
+            inside = isinstance(file, str) and os.path.join(os.path.abspath(file), "").startswith(self.inside)
             self.own_files[file] = inside and "site-packages" not in os.path.abspath(file)[len(self.inside) :]
         return self.own_files[file]
 
-    def _beside(self, name: str) -> ModuleType | None:
-        """The own module of this name, which Python would take for another one."""
-        if name in self.shadowing:
-            return self.shadowing[name]
-        path = next(
-            (p for p in (f"{self.inside}{name}.py", f"{self.inside}{name}/__init__.py") if os.path.isfile(p)), None
-        )
-        spec = path and spec_from_file_location(name, path, loader=self.loader(name, path))
-        if not spec or spec.loader is None or path == getattr(sys.modules["__main__"], "__file__", None):
-            return None
-        module = self.shadowing[name] = module_from_spec(spec)
+    def _load_beside(self, name: str) -> bool:
+        """Whether there is an own module of this name, which Python would take for another one; loads it if so."""
+        private = PRIVATE + name
+        if private in sys.modules:
+            return True
+        stem = self.inside + name
+        path = next((path for path in (f"{stem}/__init__.py", f"{stem}.py") if os.path.isfile(path)), None)
+        if path is None or path == getattr(sys.modules["__main__"], "__file__", None):
+            return False
+        spec = spec_from_file_location(private, path, loader=self.loader(private, path))
+        if spec is None or spec.loader is None:
+            return False
+        module = sys.modules[private] = module_from_spec(spec)
         try:
             spec.loader.exec_module(module)
         except BaseException:
-            del self.shadowing[name]
+            del sys.modules[private]
             raise
-        return module
+        return True
 
 
 class _Finder(FileFinder):

@@ -210,10 +210,10 @@ def animate(pictures: Sequence[Path], target: Path, milliseconds: float = 20.0) 
         write_atomically(target, lambda name: images[0].save(
             name, save_all=True, append_images=images[1:], duration=max(milliseconds, 20.0), loop=0))  # fmt: skip
         return
-    imageio_ffmpeg = _ffmpeg(target)
     width, height = (length - length % 2 for length in images[0].size)  # players want even sizes
     if not width or not height:
         raise ValueError(f"{target}: pictures of {images[0].width} x {images[0].height} are too small for MP4")
+    imageio_ffmpeg = _ffmpeg(target)
 
     def write(name: Any) -> None:
         writer = imageio_ffmpeg.write_frames(str(name), (width, height), fps=1000.0 / milliseconds)
