@@ -12,7 +12,8 @@ import re
 import signal
 import sys
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -29,7 +30,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     split = words.index("--") if "--" in words else len(words)  # what follows is for the program that is run
     options = _parser().parse_args(words[:split])
     options.arguments = words[split + 1 :]
-    _end_on_signals()
+    with _ending_on_signals() as signals:
+        code = _do(options)
+    return 128 + signals[0] if signals else code
+
+
+def _do(options: argparse.Namespace) -> int:
     try:
         return int(options.run(options))
     except KeyboardInterrupt:
@@ -46,16 +52,27 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 1
 
 
-def _end_on_signals() -> None:
-    """SIGTERM and SIGHUP unwind the command as Ctrl-C does, so that nothing half-done and no process stays."""
+@contextmanager
+def _ending_on_signals() -> Iterator[list[int]]:
+    """SIGTERM and SIGHUP end a command as Ctrl-C does, so that nothing is lost or half-done and no process stays.
 
-    def leave(number: int, frame: object) -> None:
-        raise SystemExit(128 + number)
+    Yields the list of those that came.
+    """
+    came: list[int] = []
 
-    if threading.current_thread() is threading.main_thread():
-        for name in ("SIGTERM", "SIGHUP"):
-            if signal.getsignal(number := getattr(signal, name, signal.SIGINT)) is signal.SIG_DFL:
-                signal.signal(number, leave)
+    def interrupt(number: int, frame: object) -> None:
+        came.append(number)
+        raise KeyboardInterrupt
+
+    numbers = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    if threading.current_thread() is not threading.main_thread():
+        numbers = []
+    before = {n: signal.signal(n, interrupt) for n in numbers if signal.getsignal(n) is signal.SIG_DFL}
+    try:
+        yield came
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
 
 
 def _with_negative_numbers(words: Sequence[str]) -> list[str]:
