@@ -275,6 +275,8 @@ class Renderer:
     def _draw(self, draws: Sequence[Draw], pixels: Fragments | None = None) -> None:
         """pixels: what the fragments take from a rectangle of pixels."""
         objects, todo = plans(list(prepare(draws)), self.limit)
+        if not objects:
+            return  # every polygon is culled, or none is complete
         room = (len(objects) + self.limit) * ROW_SIZE  # a block always has `limit` rows, wherever it begins
         self._write("Transforms", transforms(objects), room)
         self._write("Materials", materials(objects), room)
