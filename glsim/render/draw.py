@@ -51,7 +51,7 @@ from glsim.machine.state import (
     TextureUnit,
 )
 from glsim.render.batch import Batch, Object, Plan, plans
-from glsim.render.outline import line_width, prepare
+from glsim.render.outline import line_margin, line_width, prepare, widened
 from glsim.render.pixels import Fragments, Reader, as_fragments, merged_bitmaps, plain_state
 from glsim.render.programs import BINDINGS, PIXELS, ProgramKey, build, program_key
 from glsim.render.raw import RawGL
@@ -76,8 +76,8 @@ INPUTS = {
     "secondary_color": ("4f", "secondary_color"),
     "fog_coord": ("1f", "fog_coord"),
     "other_end": ("4f", "other_end"),
-    "line_side": ("1f", "line_side"),
-    "line_start": ("1f", "line_start"),
+    "line_corner": ("2f", "line_corner"),
+    "line_begin": ("1f", "line_begin"),
 }
 
 
@@ -151,7 +151,7 @@ class Renderer:
         self.size = size
         self.accumulation: NDArray[np.float32] | None = None
         self.query = 0  # the driver's name of the query that is counting
-        self.fixed: tuple[Snapshot, int] | None = None
+        self.fixed: tuple[Snapshot, int, int] | None = None
         self.busy = False  # whether the GPU may still read the buffers
         self.probing: int | None = None  # the number of the draw whose fragments shall tell what they are made of
 
@@ -289,7 +289,7 @@ class Renderer:
 
     def _draw_batch(self, batch: Batch, part: Plan, source: Source, pixels: Fragments | None) -> None:
         state, columns = batch.state, batch.vertices.columns
-        wide = "line_side" in columns
+        wide = "line_corner" in columns and widened(state)
         many = batch.objects > 1 and (part.instances or len(part.rows) > 0)
         key = program_key(state, batch.corners)._replace(
             wide_lines=wide,
@@ -301,9 +301,10 @@ class Renderer:
             probe=self.probing is not None,
             objects=self.limit if many else 1,
         )
-        self._apply(state, 2 if wide else batch.corners)
+        margin = line_margin(state) if wide else 0
+        self._apply(state, batch.corners, margin)
         self._upload_lights(state.lighting)
-        self._upload_raster(state, (*(pixels.origin if pixels else (0, 0)), self.probing or 0))
+        self._upload_raster(state, (*(pixels.origin if pixels else (0, 0)), self.probing or 0), margin)
         if key.units:
             self._upload_texturing(batch)
             for unit in key.units:
@@ -362,13 +363,13 @@ class Renderer:
             self._write("Lights", lights(lighting))
             self.uploaded_lights = groups
 
-    def _upload_raster(self, state: Snapshot, origin: tuple[int, int, int]) -> None:
+    def _upload_raster(self, state: Snapshot, origin: tuple[int, int, int], margin: int) -> None:
         groups = (
             state.fog, state.transform, state.point, state.viewport, state.line, state.polygon_stipple,
-            state.color_buffer.alpha_reference, origin,
+            state.color_buffer.alpha_reference, origin, margin,
         )  # fmt: skip
         if groups != self.uploaded_raster:
-            self._write("Raster", raster(state, origin))
+            self._write("Raster", raster(state, origin, margin))
             self.uploaded_raster = groups
 
     def _upload_texturing(self, batch: Batch) -> None:
@@ -380,19 +381,20 @@ class Renderer:
 
     # ------------------------------------------------------------ state that the core profile kept
 
-    def _apply(self, state: Snapshot, corners: int) -> None:
-        """Pass on what changed since the last draw; lines and points are never culled."""
+    def _apply(self, state: Snapshot, corners: int, margin: int = 0) -> None:
+        """Pass on what changed since the last draw; lines and points are never culled.  margin: see ``raster``."""
         before, raw = self.fixed, self.raw
-        if before is not None and before[0] is state and before[1] == corners:
+        if before is not None and before[0] is state and before[1:] == (corners, margin):
             return
         old = before[0] if before else None
-        self.fixed = (state, corners)
+        self.fixed = (state, corners, margin)
         if old is None:
             raw.glProvokingVertex(LAST_VERTEX_CONVENTION)
             raw.glEnable(PROGRAM_POINT_SIZE)
             raw.glDisable(TEXTURE_CUBE_MAP_SEAMLESS)  # in OpenGL 1.x the faces of a cube map know nothing of each other
-        if old is None or old.viewport != state.viewport:
-            raw.glViewport(*state.viewport[:4])
+        if before is None or (old.viewport, before[2]) != (state.viewport, margin):  # type: ignore[union-attr]
+            x, y, width, height = state.viewport[:4]
+            raw.glViewport(x - margin, y - margin, width + 2 * margin, height + 2 * margin)
             raw.glDepthRange(*state.viewport[4:])
         if before is None or (old.polygon, before[1]) != (state.polygon, corners):  # type: ignore[union-attr]
             polygon = state.polygon
@@ -481,8 +483,9 @@ def _faces(material: Material) -> list[float]:
     return values
 
 
-def raster(state: Snapshot, origin: tuple[int, int, int] = (0, 0, 0)) -> NDArray[np.float32]:
-    """The block Raster of shaders/raster.glsl: (84,) float32.  origin: of a pixel rectangle, and a probe's number."""
+def raster(state: Snapshot, origin: tuple[int, int, int] = (0, 0, 0), margin: int = 0) -> NDArray[np.float32]:
+    """The block Raster of shaders/raster.glsl: (84,) float32.  origin: of a pixel rectangle, and a probe's number;
+    margin: by how many pixels the driver's viewport is larger on all sides."""
     fog, point, line, viewport = state.fog, state.point, state.line, state.viewport
     block = np.zeros(RASTER_SIZE // 4, np.float32)
     block[0:4] = fog.color
@@ -491,7 +494,7 @@ def raster(state: Snapshot, origin: tuple[int, int, int] = (0, 0, 0)) -> NDArray
     block[32:36] = point.size, point.size_min, point.size_max, point.fade_threshold
     block[36:39] = point.distance_attenuation
     block[40:44] = viewport.x, viewport.y, max(viewport.width, 1), max(viewport.height, 1)
-    block[44:47] = line_width(state), line.stipple_factor, line.stipple_pattern
+    block[44:48] = line_width(state), line.stipple_factor, line.stipple_pattern, margin
     block[80:83] = origin
     block[48:80] = np.array(state.polygon_stipple.rows, np.uint32).view(np.float32)
     return block

@@ -19,7 +19,7 @@ from glsim.machine.frame import Clear, Draw, Packet, Pixels
 from glsim.machine.state import ColorBuffer, Depth, Lighting, Scissor, Snapshot, Stencil
 from glsim.render.batch import PLAIN, assembled, separate
 from glsim.render.context import Offscreen
-from glsim.render.outline import clip_positions, line_width, prepare
+from glsim.render.outline import clip_positions, line_width, prepare, widened
 from glsim.render.pixels import Fragments, Reader, as_fragments
 
 Float = NDArray[np.float64]
@@ -122,7 +122,7 @@ class Inspector:
             for part in prepare([packet]):
                 for draw in separate(part, self.renderer.limit):
                     chosen, kind = assembled(draw), corners(draw.mode)
-                    size = 6 if "line_side" in draw.block.columns else kind
+                    size = 6 if kind == 2 and widened(draw.state) else kind
                     own = draw.block is packet.block
                     source = chosen.reshape(-1, kind) - np.uint32(packet.first) if own else None
                     if len(chosen):

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.assembly import corners, counterclockwise, outlines
+from glsim.machine.clipping import distances
 from glsim.machine.constants import (
     GL_BACK,
     GL_CCW,
@@ -57,7 +58,7 @@ def _need(draw: Draw) -> str:
     state = draw.state
     if kind == 3 and (state.polygon.front_mode != GL_FILL or state.polygon.back_mode != GL_FILL):
         return "unfilled"
-    if kind == 2 and (state.line.stipple or widened(state)) and "line_start" not in draw.block.columns:
+    if kind == 2 and (state.line.stipple or widened(state)) and "line_corner" not in draw.block.columns:
         return "lines"
     return ""
 
@@ -72,6 +73,11 @@ def widened(state: Snapshot) -> bool:
     return state.line.smooth or line_width(state) > 1.0
 
 
+def line_margin(state: Snapshot) -> int:
+    """Pixels by which a wide line may reach beyond the viewport, for only its middle is clipped (section 2.11)."""
+    return int(np.ceil(line_width(state) / 2.0)) + 1
+
+
 def positions(block: Vertices, chosen: NDArray[np.uint32]) -> Float:
     """Homogeneous positions (n, 4) in object space."""
     w = block.columns.get("w")
@@ -82,18 +88,24 @@ def positions(block: Vertices, chosen: NDArray[np.uint32]) -> Float:
     return result
 
 
-def clip_positions(draw: Draw, chosen: NDArray[np.uint32]) -> NDArray[np.float64]:
-    """Positions (n, 4) in clip space."""
+def eye_and_clip(draw: Draw, chosen: NDArray[np.uint32]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Positions (n, 4) in eye space and in clip space."""
     evaluate(draw.matrices)
     modelview, projection = (matrix.get()[None] for matrix in draw.matrices[:2])
-    product: NDArray[np.float64] = multiply(projection, modelview)[0].astype(np.float64)
-    return np.asarray(positions(draw.block, chosen).astype(np.float64) @ product)
+    P = positions(draw.block, chosen).astype(np.float64)
+    return P @ modelview[0], np.asarray(P @ multiply(projection, modelview)[0].astype(np.float64))
+
+
+def clip_positions(draw: Draw, chosen: NDArray[np.uint32]) -> NDArray[np.float64]:
+    """Positions (n, 4) in clip space."""
+    return eye_and_clip(draw, chosen)[1]
 
 
 # ---------------------------------------------------------------- lines
 
-SIDES = np.array([-1.0, 1.0, -1.0, 1.0], np.float32)
-CORNERS = np.array([0, 1, 2, 1, 3, 2], np.uint32)  # both triangles end in the line's second vertex, the provoking one
+ENDS = np.array([0, 0, 1, 1])  # of a wide line's corners
+CORNERS = np.array([(-1, -1), (-1, 1), (1, -1), (1, 1)], np.float32)
+TRIANGLES = np.array([0, 1, 2, 1, 3, 2], np.uint32)  # both end in the line's second vertex, the provoking one
 
 
 def lines(draws: list[Draw]) -> list[Draw]:
@@ -101,7 +113,7 @@ def lines(draws: list[Draw]) -> list[Draw]:
     block, state = draws[0].block, draws[0].state
     wide = widened(state)
     ends = [assembled(draw).reshape(-1, 2) for draw in draws]
-    order = np.array([0, 0, 1, 1] if wide else [0, 1])
+    order = ENDS if wide else np.array([0, 1])
     chosen = np.concatenate(ends)[:, order].ravel()
     materials: list[tuple[int, Material]] = []
     result, first = [], 0
@@ -113,36 +125,47 @@ def lines(draws: list[Draw]) -> list[Draw]:
             materials += [(first + k, material) for k, material in enumerate(used)]
         part = Draw(GL_LINES, first, count, None, draw.matrices, draw.material, state, vertices)
         if wide:
-            part.indices = (np.arange(len(pairs), dtype=np.uint32)[:, None] * 4 + CORNERS).ravel()
+            part.indices = (np.arange(len(pairs), dtype=np.uint32)[:, None] * 4 + TRIANGLES).ravel()
         part.color = draw.color
         result.append(part)
         first += count
-    starts = [_starts(draw, pairs) for draw, pairs in zip(draws, ends, strict=True)]
-    vertices.columns["line_start"] = np.concatenate(starts)[:, order].reshape(-1, 1)
-    if wide:
-        vertices.columns["line_side"] = np.tile(SIDES, len(chosen) // 4)[:, None]
-        others = np.concatenate(ends)[:, order[::-1]].ravel()
-        vertices.columns["other_end"] = positions(block, others)
+    others = np.concatenate(ends)[:, 1 - order].ravel()
+    vertices.columns["other_end"] = positions(block, others)
+    vertices.columns["line_corner"] = np.tile(CORNERS if wide else CORNERS[[0, 2]], (len(chosen) // len(order), 1))
+    if state.line.stipple:
+        begins = [_begins(draw, pairs) for draw, pairs in zip(draws, ends, strict=True)]
+        vertices.columns["line_begin"] = np.repeat(np.concatenate(begins), len(order))[:, None]
     vertices.materials = materials
     return result
 
 
-def _starts(draw: Draw, pairs: NDArray[np.uint32]) -> Float:
-    """Pixels from the beginning of the stipple pattern at both ends of each line: (n, 2).
+def _begins(draw: Draw, pairs: NDArray[np.uint32]) -> Float:
+    """How many pixels of the stipple pattern come before each line (n, 2): (n,).
 
     A strip or loop goes on where its last line ended; separate lines begin anew (section 3.4.2).
     """
-    if not draw.state.line.stipple or not len(pairs):
-        return np.zeros(pairs.shape, np.float32)
-    clip = clip_positions(draw, pairs.ravel())
+    begins = np.zeros(len(pairs), np.float32)
+    if draw.mode in (GL_LINE_STRIP, GL_LINE_LOOP) and len(pairs):
+        begins[1:] = np.floor(np.cumsum(_visible_lengths(draw, pairs)))[:-1]
+    return begins
+
+
+def _visible_lengths(draw: Draw, pairs: NDArray[np.uint32]) -> NDArray[np.float64]:
+    """Pixels of what clipping leaves of each line: smooth ones are measured along, others in their longer coordinate."""
+    eye, clip = eye_and_clip(draw, pairs.ravel())
+    planes = distances(clip, eye, draw.state.transform).reshape(*pairs.shape, -1)
+    a, b = planes[:, 0], planes[:, 1]
+    clip = clip.reshape(-1, 2, 4)
     with np.errstate(all="ignore"):
-        window = clip[:, :2] / clip[:, 3:] * (np.array(draw.state.viewport[2:4]) / 2)
-    ends = np.nan_to_num(window, posinf=0.0, neginf=0.0).reshape(-1, 2, 2)
-    length = np.abs(ends[:, 1] - ends[:, 0]).max(axis=1)
-    begin = np.zeros(len(length))
-    if draw.mode in (GL_LINE_STRIP, GL_LINE_LOOP):
-        begin[1:] = np.cumsum(np.floor(length + 1e-3))[:-1]  # fragments are counted, not lengths
-    return np.stack([begin, begin + length], axis=1).astype(np.float32)
+        at = a / (a - b)
+        enters = np.where((a < 0.0) & (b >= 0.0), at, 0.0).max(axis=1)
+        leaves = np.where((a >= 0.0) & (b < 0.0), at, 1.0).min(axis=1)
+        part = np.stack([enters, leaves], axis=1)[..., None]
+        left = clip[:, :1] + part * (clip[:, 1:] - clip[:, :1])
+        way = np.diff(left[..., :2] / left[..., 3:], axis=1)[:, 0] * (np.array(draw.state.viewport[2:4]) / 2)
+    lengths = np.linalg.norm(way, axis=1) if draw.state.line.smooth else np.abs(way).max(axis=1)
+    lengths[(enters > leaves) | ((a < 0.0) & (b < 0.0)).any(axis=1)] = 0.0
+    return np.nan_to_num(lengths, posinf=0.0)
 
 
 # ---------------------------------------------------------------- unfilled polygons

@@ -205,7 +205,7 @@ def _at(packet: Clear | Accum | QueryMark, x: int, y: int) -> Packet:
 
 
 def _vertices(one: Piece, sample: Sample, lit: Shaded) -> tuple[Vertex, ...]:
-    from glsim.gl.stage import window
+    from glsim.machine.stage import window
 
     rows = lit.corners[0]
     stage, weights = lit.stage, lit.weights[0]
@@ -231,7 +231,7 @@ def _evaluations(one: Piece, sample: Sample, lit: Shaded) -> tuple[Evaluation, .
     """Where the equation ran, with all numbers."""
     if lit.terms is None:
         return ()
-    from glsim.gl.stage import surface
+    from glsim.machine.stage import surface
     from glsim.machine.constants import GL_BACK, GL_FRONT
 
     lighting, rows = one.draw.state.lighting, lit.corners[0]
