@@ -16,8 +16,9 @@ vec2 on_screen(vec4 P)  // clip space -> pixels
     return viewport.xy + (0.5 * P.xy / P.w + 0.5) * viewport.zw;
 }
 
-// Both ends, in pixels, of what is left of the line from A to B, in clip space; A_eye and B_eye: in eye space
-vec4 visible_ends(vec4 A, vec4 B, vec4 A_eye, vec4 B_eye)
+// Whether something is left of the line from A to B, in clip space, and both ends of that in pixels.
+// A_eye and B_eye: in eye space
+bool visible(vec4 A, vec4 B, vec4 A_eye, vec4 B_eye, out vec4 ends)
 {
     vec2 part = vec2(0.0, 1.0);
     for (int axis = 0; axis < 3; axis++) {
@@ -28,13 +29,14 @@ vec4 visible_ends(vec4 A, vec4 B, vec4 A_eye, vec4 B_eye)
     for (int i = 0; i < 6; i++)
         if (CLIP_PLANE[i]) cut(part, dot(clip_planes[i], A_eye), dot(clip_planes[i], B_eye));
 #endif
-    if (part.x > part.y) return vec4(-1e9);     // far from all pixels
-    return vec4(on_screen(part.x > 0.0 ? mix(A, B, part.x) : A), on_screen(part.y < 1.0 ? mix(A, B, part.y) : B));
+    ends.xy = on_screen(part.x > 0.0 ? mix(A, B, part.x) : A);
+    ends.zw = on_screen(part.y < 1.0 ? mix(A, B, part.y) : B);
+    return part.x <= part.y;
 }
 
 // A wide line is a parallelogram: its ends are moved up and down if it is flatter than 45 degrees, else left and right.
 // A smooth line is a rectangle, half a pixel larger on all sides (section 3.4.4).
-// P: one end in clip space; ends: visible_ends; corner: x is -1 at the line's first end and 1 at the second, y the side
+// P: one end in clip space; ends: see visible; corner: x is -1 at the line's first end and 1 at the second, y the side
 vec4 widen(vec4 P, vec4 ends, vec2 corner)
 {
     vec2 way = ends.zw - ends.xy, moved;
@@ -44,6 +46,5 @@ vec4 widen(vec4 P, vec4 ends, vec2 corner)
     }
     else moved = 0.5 * corner.y * line.x * (abs(way.x) >= abs(way.y) ? vec2(0.0, 1.0) : vec2(1.0, 0.0));
     P.xy += moved * 2.0 / viewport.zw * P.w;
-    P.xy *= viewport.zw / (viewport.zw + 2.0 * line.w);     // the viewport has a margin for what lines reach beyond it
     return P;
 }

@@ -22,6 +22,7 @@ in vec4 texcoord1;
 in vec4 texcoord2;
 in vec4 texcoord3;
 in float depth_offset;      // only if DEPTH_OFFSET: in window coordinates
+in vec4 lit_position;       // only if LIT_ELSEWHERE: where the equation is evaluated, in object space
 in uint object;             // only if MANY_OBJECTS: the row of transforms and materials that this vertex uses
 in vec4 other_end;          // only if WIDE_LINES or LINE_STIPPLE: the line's other end, in object space
 in vec2 line_corner;        // only then: -1 at the line's first end, 1 at the second; the same for both sides
@@ -44,6 +45,8 @@ flat out float line_pixels;         // only if LINE_STIPPLE: pixels of the patte
 flat out float point_diameter;      // only if POINT_SMOOTH
 flat out uint object_row;
 
+const vec4 OUTSIDE = vec4(2.0, 2.0, 2.0, 1.0);    // of the clip volume: nothing is drawn
+
 vec4 project(Transform transform, vec4 P)
 {
     vec4 Q = transform.modelview_projection * P;
@@ -51,11 +54,15 @@ vec4 project(Transform transform, vec4 P)
         bool is_first = line_corner.x < 0.0;
         vec4 A = is_first ? P : other_end, B = is_first ? other_end : P;
         mat4 to_clip = transform.modelview_projection, to_eye = transform.modelview;
-        line_ends = visible_ends(to_clip * A, to_clip * B, to_eye * A, to_eye * B);
+        if (!visible(to_clip * A, to_clip * B, to_eye * A, to_eye * B, line_ends)) return OUTSIDE;
         if (WIDE_LINES) Q = widen(Q, line_ends, line_corner);
     }
     if (DEPTH_OFFSET) Q.z += 2.0 * depth_offset * Q.w;
-    if (POINTS && !POINT_SMOOTH) Q.xy += vec2(2.002, 1.998) / 256.0 / viewport.zw * Q.w; // between two pixels: up and to the right
+    if (POINTS) {
+        if (any(greaterThan(abs(Q.xy), vec2(Q.w)))) return OUTSIDE;     // its middle is clipped
+        if (!POINT_SMOOTH) Q.xy += vec2(2.002, 1.998) / 256.0 / viewport.zw * Q.w;      // between two pixels: up and to the right
+    }
+    if (POINTS || WIDE_LINES) Q.xy *= viewport.zw / (viewport.zw + 2.0 * line.w);       // the driver's viewport has a margin
     return Q;
 }
 
@@ -109,6 +116,7 @@ void main()
 #endif
     if (!LIGHTING) return;
 
+    if (LIT_ELSEWHERE) E = transform.modelview * lit_position;
     eye_position = E.xyz / E.w;
     eye_normal = N;
     vertex_color = own_color;

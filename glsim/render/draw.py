@@ -51,7 +51,8 @@ from glsim.machine.state import (
     TextureUnit,
 )
 from glsim.render.batch import Batch, Object, Plan, plans
-from glsim.render.outline import line_margin, line_width, prepare, widened
+from glsim.render.lines import line_width, margin, widened
+from glsim.render.outline import prepare
 from glsim.render.pixels import Fragments, Reader, as_fragments, merged_bitmaps, plain_state
 from glsim.render.programs import BINDINGS, PIXELS, ProgramKey, build, program_key
 from glsim.render.raw import RawGL
@@ -64,7 +65,7 @@ LIGHTS_SIZE = 1024
 RASTER_SIZE = 336
 TEXTURING_SIZE = 1024
 SHARED = {"Lights": LIGHTS_SIZE, "Raster": RASTER_SIZE, "Texturing": TEXTURING_SIZE}  # blocks of which there is one
-PROGRAM_POINT_SIZE, TEXTURE_CUBE_MAP_SEAMLESS = 0x8642, 0x884F
+PROGRAM_POINT_SIZE, TEXTURE_CUBE_MAP_SEAMLESS, DEPTH_CLAMP = 0x8642, 0x884F, 0x864F
 CORE_BITS = 0x4000 | 0x100 | 0x400  # colour, depth and stencil; there is no accumulation buffer in the core profile
 
 
@@ -73,6 +74,7 @@ INPUTS = {
     **{f"texcoord{unit}": ("4f", f"texcoord{unit}") for unit in range(TEXTURE_UNITS)},
     "depth_offset": ("1f", "depth_offset"),
     "position_w": ("1f", "w"),
+    "lit_position": ("4f", "lit_position"),
     "secondary_color": ("4f", "secondary_color"),
     "fog_coord": ("1f", "fog_coord"),
     "other_end": ("4f", "other_end"),
@@ -296,15 +298,16 @@ class Renderer:
             has_w="w" in columns,
             depth_offset="depth_offset" in columns,
             smooth_lines=wide and state.line.smooth,
+            lit_elsewhere="lit_position" in columns,
             pixels=PIXELS[pixels.kind] if pixels else 0,
             object_color=batch.draws[0].color is not None,
             probe=self.probing is not None,
             objects=self.limit if many else 1,
         )
-        margin = line_margin(state) if wide else 0
-        self._apply(state, batch.corners, margin)
+        room = margin(state, batch.corners)
+        self._apply(state, batch.corners, room)
         self._upload_lights(state.lighting)
-        self._upload_raster(state, (*(pixels.origin if pixels else (0, 0)), self.probing or 0), margin)
+        self._upload_raster(state, (*(pixels.origin if pixels else (0, 0)), self.probing or 0), room)
         if key.units:
             self._upload_texturing(batch)
             for unit in key.units:
@@ -363,13 +366,13 @@ class Renderer:
             self._write("Lights", lights(lighting))
             self.uploaded_lights = groups
 
-    def _upload_raster(self, state: Snapshot, origin: tuple[int, int, int], margin: int) -> None:
+    def _upload_raster(self, state: Snapshot, origin: tuple[int, int, int], room: int) -> None:
         groups = (
             state.fog, state.transform, state.point, state.viewport, state.line, state.polygon_stipple,
-            state.color_buffer.alpha_reference, origin, margin,
+            state.color_buffer.alpha_reference, origin, room,
         )  # fmt: skip
         if groups != self.uploaded_raster:
-            self._write("Raster", raster(state, origin, margin))
+            self._write("Raster", raster(state, origin, room))
             self.uploaded_raster = groups
 
     def _upload_texturing(self, batch: Batch) -> None:
@@ -381,20 +384,21 @@ class Renderer:
 
     # ------------------------------------------------------------ state that the core profile kept
 
-    def _apply(self, state: Snapshot, corners: int, margin: int = 0) -> None:
-        """Pass on what changed since the last draw; lines and points are never culled.  margin: see ``raster``."""
+    def _apply(self, state: Snapshot, corners: int, room: int = 0) -> None:
+        """Pass on what changed since the last draw; lines and points are never culled.  room: see ``raster``."""
         before, raw = self.fixed, self.raw
-        if before is not None and before[0] is state and before[1:] == (corners, margin):
+        if before is not None and before[0] is state and before[1:] == (corners, room):
             return
         old = before[0] if before else None
-        self.fixed = (state, corners, margin)
+        self.fixed = (state, corners, room)
         if old is None:
             raw.glProvokingVertex(LAST_VERTEX_CONVENTION)
             raw.glEnable(PROGRAM_POINT_SIZE)
             raw.glDisable(TEXTURE_CUBE_MAP_SEAMLESS)  # in OpenGL 1.x the faces of a cube map know nothing of each other
-        if before is None or (old.viewport, before[2]) != (state.viewport, margin):  # type: ignore[union-attr]
+        if before is None or (old.viewport, *before[1:]) != (state.viewport, corners, room):  # type: ignore[union-attr]
             x, y, width, height = state.viewport[:4]
-            raw.glViewport(x - margin, y - margin, width + 2 * margin, height + 2 * margin)
+            raw.glViewport(x - room, y - room, width + 2 * room, height + 2 * room)
+            self._switch(DEPTH_CLAMP, corners == 2 and room > 0)  # shaders/line.glsl clips wide lines, with all their width
             raw.glDepthRange(*state.viewport[4:])
         if before is None or (old.polygon, before[1]) != (state.polygon, corners):  # type: ignore[union-attr]
             polygon = state.polygon
@@ -483,9 +487,9 @@ def _faces(material: Material) -> list[float]:
     return values
 
 
-def raster(state: Snapshot, origin: tuple[int, int, int] = (0, 0, 0), margin: int = 0) -> NDArray[np.float32]:
+def raster(state: Snapshot, origin: tuple[int, int, int] = (0, 0, 0), room: int = 0) -> NDArray[np.float32]:
     """The block Raster of shaders/raster.glsl: (84,) float32.  origin: of a pixel rectangle, and a probe's number;
-    margin: by how many pixels the driver's viewport is larger on all sides."""
+    room: see glsim.render.lines.margin."""
     fog, point, line, viewport = state.fog, state.point, state.line, state.viewport
     block = np.zeros(RASTER_SIZE // 4, np.float32)
     block[0:4] = fog.color
@@ -494,7 +498,7 @@ def raster(state: Snapshot, origin: tuple[int, int, int] = (0, 0, 0), margin: in
     block[32:36] = point.size, point.size_min, point.size_max, point.fade_threshold
     block[36:39] = point.distance_attenuation
     block[40:44] = viewport.x, viewport.y, max(viewport.width, 1), max(viewport.height, 1)
-    block[44:48] = line_width(state), line.stipple_factor, line.stipple_pattern, margin
+    block[44:48] = line_width(state), line.stipple_factor, line.stipple_pattern, room
     block[80:83] = origin
     block[48:80] = np.array(state.polygon_stipple.rows, np.uint32).view(np.float32)
     return block

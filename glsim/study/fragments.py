@@ -123,7 +123,7 @@ def shade(piece: Piece, primitives: NDArray[np.int64], weights: Float, back: boo
     corners: NDArray[np.int64] = places.reshape(numbers.shape)
     weights = weights[:, : piece.corners]
     stage = vertex_stage(draw, chosen.astype(np.uint32), 0, colors=False)
-    point = stage.eye[:, :3] / stage.eye[:, 3:]
+    point = stage.point
     N, P = interpolated(stage.normal, corners, weights), interpolated(point, corners, weights)
     if not lighting.enabled:
         where = "provoking" if lighting.shade_model == GL_FLAT else "none"

@@ -245,10 +245,9 @@ def _evaluations(one: Piece, sample: Sample, lit: Shaded) -> tuple[Evaluation, .
         numbers = chosen if one.source is None else one.source[0]
         corners = range(len(rows)) if lit.where == "vertex" else [len(rows) - 1]
         sign = -1.0 if back else 1.0
-        eye = lit.stage.eye
         places = [
             (rows[k], f"vertex {numbers[k]}", lit.weights[0, k] if lit.where == "vertex" else 1.0,
-             sign * lit.stage.normal[rows[k]], eye[rows[k], :3] / eye[rows[k], 3])
+             sign * lit.stage.normal[rows[k]], lit.stage.point[rows[k]])
             for k in corners
         ]  # fmt: skip
         materials = one.draw.materials_at(np.unique(chosen))
