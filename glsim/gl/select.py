@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from glsim.machine.stage import vertex_stage, window
 from glsim.machine.assembly import complete, corners, counterclockwise, outlines
-from glsim.machine.clipping import BOUNDARY, clipped
+from glsim.machine.clipping import BOUNDARY, INTERIOR, VIEW_PLANES, clipped, edge_kinds
 from glsim.machine.clipping import distances as clip_distances
 from glsim.machine.constants import (
     GL_2D,
@@ -29,9 +29,9 @@ from glsim.machine.constants import (
     GL_COPY_PIXEL_TOKEN,
     GL_DRAW_PIXEL_TOKEN,
     GL_FEEDBACK,
+    GL_FILL,
     GL_FLAT,
     GL_FRONT,
-    GL_LINE,
     GL_LINE_LOOP,
     GL_LINE_RESET_TOKEN,
     GL_LINE_TOKEN,
@@ -398,6 +398,7 @@ def _primitives(draw: Draw) -> Iterator[Primitive]:
     kind, polygon = corners(draw.mode), draw.state.polygon
     flat = draw.state.lighting.shade_model == GL_FLAT
     fronts = np.ones(len(shapes), bool)
+    edges = edge_kinds(draw, shapes) if kind == 3 else shapes
     rings, last = places[: shapes.size].reshape(shapes.shape), places[shapes.size :]
     if kind == 3:
         fronts = np.equal(counterclockwise(stage.clip[rings]), polygon.front_face == GL_CCW)
@@ -410,13 +411,12 @@ def _primitives(draw: Draw) -> Iterator[Primitive]:
         rows = np.concatenate([stage.clip[ring], color, stage.texcoords[0][ring]], axis=1)
         mode = polygon.front_mode if front else polygon.back_mode
         reset = draw.mode == GL_LINES or number == 0
-        if kind == 3 and mode == GL_POINT:
-            parts = [(1, [k]) for k in range(len(ring))]
-        elif kind == 3 and mode == GL_LINE:
-            parts = [(2, [k, (k + 1) % len(ring)]) for k in range(len(ring))]
-        else:
-            parts = [(kind, list(range(len(ring))))]
-        for k, (size, part) in enumerate(parts):
-            left = _left(rows[part], distances[ring][part], size)
-            if len(left) >= size:
-                yield Primitive(size, left, reset and k == 0)
+        if kind != 3 or mode == GL_FILL:
+            left = _left(rows, distances[ring], kind)
+            if len(left) >= kind:
+                yield Primitive(kind, left, reset)
+            continue
+        outline = clipped(rows, distances[ring], edges[number], VIEW_PLANES)
+        for n, k in enumerate(np.flatnonzero(outline.edges != INTERIOR)):
+            ends = [k] if mode == GL_POINT else [k, (k + 1) % len(outline.rows)]
+            yield Primitive(len(ends), outline.rows[ends], reset and n == 0)

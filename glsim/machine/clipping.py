@@ -7,12 +7,21 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.machine.constants import GL_POLYGON, GL_QUADS, GL_TRIANGLES
+from glsim.machine.frame import Draw
 from glsim.machine.state import Transform
 
 Float = NDArray[np.float64]
 VIEW_PLANES = 6  # the planes of the view volume come before those of glClipPlane
 
 INTERIOR, BOUNDARY, INTRODUCED = 0, 1, 2  # edges: inside of a surface, of its outline, made by glClipPlane
+
+
+def edge_kinds(draw: Draw, rings: NDArray[np.uint32]) -> NDArray[np.int64]:
+    """The kind of the edge from each corner of polygons (n, k) to the next, as glEdgeFlag says (section 2.6.2)."""
+    if draw.mode not in (GL_TRIANGLES, GL_QUADS, GL_POLYGON) or not draw.block.varies("edge_flag"):
+        return np.full(rings.shape, BOUNDARY)
+    return np.where(draw.block.column("edge_flag")[rings, 0] != 0.0, BOUNDARY, INTERIOR)
 
 
 def distances(clip: Float, eye: Float, transform: Transform) -> Float:

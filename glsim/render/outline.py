@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.assembly import corners, counterclockwise, outlines
-from glsim.machine.clipping import BOUNDARY, INTERIOR, INTRODUCED, VIEW_PLANES, clipped, distances
+from glsim.machine.clipping import BOUNDARY, INTERIOR, INTRODUCED, VIEW_PLANES, clipped, distances, edge_kinds
 from glsim.machine.constants import (
     GL_BACK,
     GL_CCW,
@@ -27,7 +27,6 @@ from glsim.machine.constants import (
     GL_PHONG_WIN,
     GL_POINTS,
     GL_POLYGON,
-    GL_QUADS,
     GL_SEPARATE_SPECULAR_COLOR,
     GL_SMOOTH,
     GL_TRIANGLES,
@@ -116,9 +115,8 @@ def _face(
             rings = rings[:, [0, 1, 3, 1, 2, 3]]
         yield _part(draw, GL_TRIANGLES, rings.ravel(), None, state, True)
         return
-    flags = np.ones(rings.shape, bool)
-    if draw.mode in (GL_TRIANGLES, GL_QUADS, GL_POLYGON) and draw.block.varies("edge_flag"):
-        flags = draw.block.column("edge_flag")[rings, 0] != 0.0
+    edges = edge_kinds(draw, rings)
+    flags = edges == BOUNDARY
     offsets = _depth_offsets(draw, rings, mode)
     each = np.broadcast_to(np.arange(len(rings))[:, None], rings.shape)[flags]  # the polygon of each edge or corner
     if mode == GL_LINE:
@@ -138,7 +136,7 @@ def _face(
         whole = _part(draw, GL_POINTS, rings[cut].ravel(), source, state, front)
         if offsets is not None:
             whole.block.columns["depth_offset"] = np.repeat(offsets[cut], rings.shape[1])[:, None]
-        yield _introduced(whole, planes[cut], np.where(flags[cut], BOUNDARY, INTERIOR), mode)
+        yield _introduced(whole, planes[cut], edges[cut], mode)
 
 
 def _planes(draw: Draw, rings: NDArray[np.uint32], mode: int) -> NDArray[np.float64]:
