@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 
 from glsim.machine.state import MAX_LIGHTS, Face
-from glsim.scenes.load import MeshError, fit, load
+from glsim.scenes.load import fit, load
 from glsim.scenes.materials import MATERIALS, material
-from glsim.scenes.mesh import Mesh
+from glsim.scenes.mesh import Mesh, MeshError
 from glsim.scenes.shapes import cube, low_terrain, sphere, teapot, terrain, torus
 
 __all__ = ["BUILT_IN", "MATERIALS", "Camera", "Mesh", "MeshError", "Scene", "load", "material", "open_scene"]
@@ -159,6 +159,6 @@ def open_scene(what: str | Path) -> Scene:
         if name in ("sphere", "torus") and slices < 3:
             raise ValueError(f"{what}: a {name} needs at least 3 slices")
         return Scene(str(what), entry.meshes(slices), material(entry.material), entry.camera)
-    if not Path(what).is_file():
+    if not Path(what).exists():
         raise MeshError(f"{what}: there is no such file, and the built-in scenes are {', '.join(BUILT_IN)}")
     return Scene(Path(what).name, load(what), material("white-plastic"), two_sided=True)

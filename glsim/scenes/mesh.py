@@ -15,6 +15,10 @@ Float = NDArray[np.float32]
 Uint = NDArray[np.uint32]
 
 
+class MeshError(ValueError):
+    """A mesh file that cannot be drawn; the message names the file and what is wrong with it."""
+
+
 @dataclass
 class Mesh:
     """Vertices and the triangles and quads between them, counter-clockwise seen from outside.
