@@ -449,4 +449,4 @@ def test_later_versions_can_be_asked_for(tmp_path: Path) -> None:
         """,
     )
     record = play(tmp_path, script)
-    assert record["errors"][0]["error"].startswith("RuntimeError: glCreateShader is OpenGL 2 or later")
+    assert record["errors"][0]["error"].startswith("RuntimeError: glCreateShader came with OpenGL 2.0")
