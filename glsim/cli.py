@@ -230,8 +230,8 @@ def _add_run(commands: Any) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from glsim.study.play import Plan
-    from glsim.study.run import animate, check_animation, events_from, run
+    from glsim.play.plan import Plan
+    from glsim.play.run import animate, check_animation, events_from, run
 
     animations = {kind: Path(name) for kind in ("gif", "mp4") if (name := getattr(options, kind)) is not None}
     for kind, target in animations.items():
@@ -282,8 +282,8 @@ def _add_study(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
 
 
 def _frame_of(options: argparse.Namespace, calls: bool) -> Frame:
-    from glsim.study.frames import frame_of
-    from glsim.study.run import events_from
+    from glsim.play.frames import frame_of
+    from glsim.play.run import events_from
 
     given = [name for name in ("frame", "events", "timeout") if getattr(options, name) is not None]
     if given and not options.what.endswith(".py"):

@@ -18,7 +18,7 @@ from glsim.gl import *
 from glsim.machine import archive
 from glsim.machine.constants import Enum
 from glsim.machine.frame import Call, Frame
-from glsim.study.capture import capture
+from glsim.play.capture import capture
 from tests.oracle import PROGRAMS
 
 CHECKER = np.random.default_rng(0).integers(0, 256, (8, 8, 3), np.uint8)

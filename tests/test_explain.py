@@ -11,8 +11,8 @@ import pytest
 import glsim
 from glsim.gl import *
 from glsim.glu import gluLookAt
+from glsim.play.capture import capture
 from glsim.render import programs
-from glsim.study.capture import capture
 from glsim.study.explain import Explanation, Setting
 from glsim.study.glsl import specialised
 from tests.oracle import PROGRAMS

@@ -13,11 +13,11 @@ from PIL import Image
 
 import glsim
 from glsim.gl import *
-from glsim.study.capture import capture
-from glsim.study.compare import shaded
-from glsim.study.play import Plan
+from glsim.play.capture import capture
+from glsim.play.plan import Plan
+from glsim.play.reshade import shaded
+from glsim.play.run import run
 from glsim.study.prober import Prober
-from glsim.study.run import run
 from tests.oracle import PROGRAMS
 
 

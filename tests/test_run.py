@@ -18,9 +18,9 @@ import pytest
 from PIL import Image
 
 from glsim.cli import main
-from glsim.study.play import Plan
-from glsim.study.python2 import converted, is_python_3
-from glsim.study.run import events_from, run
+from glsim.play.plan import Plan
+from glsim.play.python2 import converted, is_python_3
+from glsim.play.run import events_from, run
 
 ROOT = Path(__file__).parents[1]
 WINDOW = """

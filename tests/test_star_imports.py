@@ -47,7 +47,7 @@ ADDED = {
 def ours() -> dict[str, dict[str, Any]]:
     """What a program gets, in a process of its own."""
     code = (
-        "import json, sys; from glsim.study import alias; alias.install()\n"
+        "import json, sys; from glsim.play import pyopengl; pyopengl.install()\n"
         f"sys.path.insert(0, {str(REFERENCE)!r}); from pyopengl_names import bound; print(json.dumps(bound()))"
     )
     ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
@@ -93,7 +93,7 @@ def test_the_list_is_pyopengls() -> None:
 
 
 def test_what_came_later_says_so() -> None:
-    from glsim.study.starnames import later_names
+    from glsim.play.starnames import later_names
 
     content = later_names()
     assert not content["glCreateShader"]

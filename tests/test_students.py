@@ -12,8 +12,8 @@ import pytest
 from PIL import Image
 
 from glsim.cli import main
-from glsim.study.play import Plan
-from glsim.study.run import animate, run
+from glsim.play.plan import Plan
+from glsim.play.run import animate, run
 
 IMPORTS = "from OpenGL.GL import *\nfrom OpenGL.GLU import *\nfrom OpenGL.GLUT import *\n"
 WINDOW = IMPORTS + "glutInit()\nglutInitWindowSize(60, 40)\nglutCreateWindow(b'w')\nglutDisplayFunc(lambda: None)\n"
@@ -274,7 +274,7 @@ def test_every_command_takes_such_a_program(
 
 
 def test_a_reset_begins_anew(tmp_path: Path) -> None:
-    from glsim.study.frames import frame_of_program
+    from glsim.play.frames import frame_of_program
 
     (tmp_path / "program.py").write_text(SCREEN + "screen.reset()\nglRectf(-1, -1, 0, 0)\n")
     frame = frame_of_program(tmp_path / "program.py", calls=True)

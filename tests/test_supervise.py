@@ -14,8 +14,8 @@ from pathlib import Path
 import pytest
 
 from glsim.cli import main
-from glsim.study.run import read_report
-from glsim.study.supervise import LINUX, supervised
+from glsim.play.run import read_report
+from glsim.play.supervise import LINUX, supervised
 
 pytestmark = pytest.mark.skipif(not LINUX, reason="processes are looked up in /proc")
 

@@ -13,7 +13,7 @@ import glsim
 from glsim.gl import *
 from glsim.glu import gluLookAt, gluPerspective
 from glsim.glut.shapes import glutSolidCube
-from glsim.study.capture import capture
+from glsim.play.capture import capture
 from glsim.study.mistakes import DIAGNOSES
 
 Program = Callable[[bool], None]

@@ -100,7 +100,7 @@ def moment(m: Machine, call: int) -> Moment:
 
 # Rooms of glsim that the user's line is not in, and its generated code.
 PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-INNER = tuple(os.path.join(PACKAGE, room, "") for room in ("gl", "glu", "glut", "machine", "render", "study"))
+INNER = tuple(os.path.join(PACKAGE, room, "") for room in ("gl", "glu", "glut", "machine", "play", "render", "study"))
 _inner: dict[str, bool] = {}
 
 

@@ -39,7 +39,7 @@ def scene_from(what: Any, materials: Mapping[str, Material] | None = None) -> Sc
     elif str(what) in BUILT_IN and not Path(what).exists():
         scene = BUILT_IN[str(what)].make()
     elif str(what).endswith(".py"):
-        from glsim.study.frames import frame_of
+        from glsim.play.frames import frame_of
 
         scene = from_frame(frame_of(what), str(what))
     elif Path(what).is_dir():
@@ -148,8 +148,8 @@ def _surface_material(draw: Any, vertex: int) -> Material:
     color = draw.color or tuple(draw.block.rows[vertex, 6:10].tolist())
     rho, E = color[:3], (0.0, 0.0, 0.0)
     if draw.state.lighting.enabled:
-        from glsim.machine.stage import TRACKED
         from glsim.machine.constants import GL_BACK
+        from glsim.machine.stage import TRACKED
 
         face = draw.materials_at(np.array([vertex]))[0].front
         lighting = draw.state.lighting

@@ -14,18 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
-from glsim.machine.constants import (
-    GL_BLINN_TORRANCE_GLSIM,
-    GL_FLAT,
-    GL_LINE,
-    GL_PHONG_LOBE_GLSIM,
-    GL_PHONG_WIN,
-    GL_SMOOTH,
-)
-from glsim.machine.frame import Draw, Frame, Vertices
+from glsim.machine.frame import Frame
+from glsim.play.capture import capture
+from glsim.play.frames import drawer, frame_of_program
+from glsim.play.reshade import shaded
 from glsim.scenes import Camera, Lamp
-from glsim.study.capture import capture
-from glsim.study.frames import drawer, frame_of_program
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -47,8 +40,6 @@ MODES = {
 BOUNCING = ("direct", "radiosity")
 LOBES = {"blinn": "Blinn-Torrance  (N·H)^n", "phong": "Phong  (R·V)^n"}
 ROWS = {**LOBES, "diffuse": "Diffuse"}
-SHADE_MODEL = {"flat": GL_FLAT, "gouraud": GL_SMOOTH, "phong": GL_PHONG_WIN}
-LOBE = {"blinn": GL_BLINN_TORRANCE_GLSIM, "phong": GL_PHONG_LOBE_GLSIM}
 AMPLIFIED = 4
 
 
@@ -207,8 +198,8 @@ def _compare_program(
     """The first picture of a program, run once for each mode and lobe; native replays the calls it made."""
     from PIL import Image
 
-    from glsim.study.play import Plan
-    from glsim.study.run import run
+    from glsim.play.plan import Plan
+    from glsim.play.run import run
 
     images = {}
     with tempfile.TemporaryDirectory(prefix="glsim-") as folder:
@@ -244,49 +235,3 @@ def _native(frame: Frame) -> Pixels:
         return np.ascontiguousarray(native.replay(frame.calls)[..., :3])
     finally:
         native.release()
-
-
-def shaded(frame: Frame, mode: str, lobe: str) -> Frame:
-    """The frame with every lit draw under another shade model and lobe, or as wireframe, or without light."""
-    if mode == "wireframe":
-        return _unlit(frame).map_draws(_outlined)
-    if mode == "unlit":
-        return _unlit(frame)
-
-    def change(draw: Draw) -> Draw:
-        lighting = draw.state.lighting._replace(shade_model=SHADE_MODEL[mode], lobe=LOBE[lobe])
-        return draw.with_state(draw.state._replace(lighting=lighting))
-
-    return frame.map_draws(change)
-
-
-def _unlit(frame: Frame) -> Frame:
-    """Lit draws in the plain colour k_d of their material."""
-    blocks: dict[int, Vertices] = {}
-
-    def change(draw: Draw) -> Draw:
-        lighting, block = draw.state.lighting, draw.block
-        if not lighting.enabled:
-            return draw
-        plain = draw.with_state(draw.state._replace(lighting=lighting._replace(enabled=False)))
-        if lighting.color_material:
-            return plain
-        if not block.materials:
-            plain.color = draw.material.front.diffuse
-            return plain
-        if id(block) not in blocks:
-            blocks[id(block)] = Vertices(block.rows.copy(), block.columns, [])
-        plain.vertices = blocks[id(block)]
-        end = draw.first + draw.count
-        plain.vertices.rows[draw.first : end, 6:10] = draw.material.front.diffuse
-        for vertex, material in draw.material_changes():
-            plain.vertices.rows[vertex:end, 6:10] = material.front.diffuse
-        return plain
-
-    return frame.map_draws(change)
-
-
-def _outlined(draw: Draw) -> Draw:
-    """Polygons as their edges."""
-    polygon = draw.state.polygon._replace(front_mode=GL_LINE, back_mode=GL_LINE)
-    return draw.with_state(draw.state._replace(polygon=polygon))

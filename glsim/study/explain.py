@@ -11,8 +11,8 @@ import numpy as np
 from glsim.machine.assembly import corners
 from glsim.machine.constants import GL_COMBINE
 from glsim.machine.frame import Draw, Frame, Trail, Where
+from glsim.play.frames import frame_of
 from glsim.render.programs import ProgramKey, program_key, sources
-from glsim.study.frames import frame_of
 from glsim.study.glsl import specialised
 from glsim.study.provenance import BEFORE, History, Path, Provenance, call_text, enum_name, value_at
 

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from glsim.files import write_atomically
 from glsim.machine.constants import GL_PHONG_LOBE_GLSIM
 from glsim.machine.frame import Frame
+from glsim.play.frames import frame_of
 from glsim.render.context import Offscreen, offscreen
 from glsim.render.inspect import Inspector, Piece, Survey
 from glsim.shading import normalize
 from glsim.study.fragments import Shaded, shade
-from glsim.study.frames import frame_of
 
 if TYPE_CHECKING:
     from PIL import Image

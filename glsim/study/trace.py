@@ -9,8 +9,8 @@ from typing import Any
 from glsim.machine.commands import COMMANDS
 from glsim.machine.frame import Call, Draw, Frame, Where
 from glsim.machine.record import REGISTERS_ONLY
+from glsim.play.frames import frame_of
 from glsim.study.explain import matrix_text, value_text
-from glsim.study.frames import frame_of
 from glsim.study.mistakes import Detector, Mistake
 from glsim.study.provenance import LOADING, MULTIPLYING, NAMES, History, Step, call_text, value_at
 

@@ -19,8 +19,8 @@ from pathlib import Path
 from typing import Any
 
 from glsim.files import read_regular, write_atomically
-from glsim.study.play import MADE_BY, PICTURE, Plan, Record
-from glsim.study.supervise import Outcome, supervised
+from glsim.play.plan import MADE_BY, PICTURE, Plan, Record
+from glsim.play.supervise import Outcome, supervised
 
 MOST_REPORT = 1 << 24  # bytes of the report of a run
 TOLD = ("running", "ok", "gl-error", "python-error", "no-window")  # the statuses that a run itself can report
@@ -72,7 +72,7 @@ def run(plan: Plan, timeout: float | None = 60.0) -> dict[str, Any]:
         environment["PYTHONPATH"] = os.pathsep.join(filter(None, (root, os.environ.get("PYTHONPATH"))))
         try:
             outcome = supervised(
-                [sys.executable, "-P", "-m", "glsim.study.play", json.dumps(asdict(plan))],
+                [sys.executable, "-P", "-m", "glsim.play.player", json.dumps(asdict(plan))],
                 cwd=os.path.dirname(script), environment=environment, stdout=2 if plan.count else None,
                 timeout=timeout, scratch=folder,
             )  # fmt: skip

@@ -13,8 +13,7 @@ import sys
 import time
 import traceback
 import types
-from collections.abc import Callable
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, replace
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from typing import Any
@@ -25,53 +24,18 @@ from glsim.glut.loop import FinishedError, Loop, StepClock, loop
 from glsim.glut.screen import Screen, open_windows
 from glsim.glut.window import Window, flushed, picture_of
 from glsim.machine import archive
-from glsim.machine.frame import Draw, Frame
+from glsim.machine.frame import Frame
 from glsim.machine.record import Recorder
+from glsim.play import pyopengl, toolkits
+from glsim.play.imports import OwnImports, repeatable_chance, steady_time
+from glsim.play.plan import MADE_BY, Plan, Record
+from glsim.play.python2 import ConvertingLoader, compiled_program
+from glsim.play.reshade import needed, reshaded
 from glsim.render.context import Offscreen, offscreen
-from glsim.study import alias, toolkits
-from glsim.study.frames import needed
-from glsim.study.imports import OwnImports, repeatable_chance, steady_time
-from glsim.study.python2 import ConvertingLoader, compiled_program
 
 MOST_ERRORS = 5  # a program that fails so often is stopped
 MOST_SCREENS = 16  # of glsim.offscreen whose pictures are kept
 PATIENCE = 1.0  # seconds
-PICTURE = r"frame_\d{3,}(_w\d+)?\.png"  # names of the pictures
-MADE_BY = "glsim run"  # what their PNG chunk "Software" says
-
-
-@dataclass
-class Plan:
-    """What to play, and how: one field for each option of ``glsim run``."""
-
-    script: str
-    arguments: list[str] = field(default_factory=list)
-    out: str | None = None
-    frames: int = 1
-    events: list[str] = field(default_factory=list)
-    size: tuple[int, int] | None = None
-    shade: str | None = None
-    lobe: str | None = None
-    window: bool = False
-    real_time: bool = False
-    count: bool = False
-    python2: bool = True
-    result: str | None = None  # a file for the Record
-    stack: str | None = None  # a file for where the program is when its time is up
-    capture: str | None = None  # a file for the last picture's Frame
-    capture_calls: bool = False
-
-
-@dataclass
-class Record:
-    """What happened: the line of JSON that ``glsim run --json`` prints."""
-
-    status: str = "running"
-    frames: int = 0
-    pictures: list[str] = field(default_factory=list)
-    errors: list[dict[str, Any]] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
-    calls: dict[str, int] = field(default_factory=dict)
 
 
 class Player:
@@ -96,7 +60,7 @@ class Player:
         loop.on_swap = self._swapped
         loop.on_open, loop.on_step, loop.on_error = self._opened, self._after_step, self._failed
         glsim.offscreen = self._offscreen
-        alias.install(self._counted if plan.count else None)
+        pyopengl.install(self._counted if plan.count else None)
         try:
             self._execute()
             if loop.windows and loop.step == 0 and not self.record.errors:
@@ -123,7 +87,7 @@ class Player:
             stand_ins = steady_time(lambda: clock.now() / 1000.0, lambda s: clock.advance(1000.0 * s), python2)
             repeatable_chance()
         if self.plan.count:
-            stand_ins |= alias.counted_libraries(self._counted)
+            stand_ins |= pyopengl.counted_libraries(self._counted)
         toolkits.adopt(loop, self.plan.window)
         loader = ConvertingLoader if self.plan.python2 else SourceFileLoader
         OwnImports(os.path.dirname(self.script), stand_ins, loader).install()
@@ -297,24 +261,8 @@ def _is_ours(filename: str) -> bool:
     return filename.startswith((HERE, "<gl command", "<frozen"))
 
 
-def reshaded(shade: str | None, lobe: str | None) -> Callable[[Draw], Draw] | None:
-    """What gives a Draw this mode of study.compare and this lobe, whatever the program says; None if it keeps both."""
-    if shade is None and lobe is None:
-        return None
-    from glsim.study.compare import LOBE, shaded
-
-    def change(draw: Draw) -> Draw:
-        if shade is None:
-            lighting = draw.state.lighting._replace(lobe=LOBE[lobe or "blinn"])
-            return draw.with_state(draw.state._replace(lighting=lighting))
-        mode = "gouraud" if shade == "smooth" else shade
-        return next(shaded(Frame(0, 0, [draw]), mode, lobe or "blinn").draws)
-
-    return change
-
-
 def main() -> None:
-    """python -m glsim.study.play PLAN, with the plan as JSON."""
+    """python -m glsim.play.player PLAN, with the plan as JSON."""
     given = json.loads(sys.argv[1])
     if given.get("size"):
         given["size"] = tuple(given["size"])

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from glsim.machine.constants import Enum
-from glsim.study.starnames import Later, later_names, star_names
+from glsim.play.starnames import Later, later_names, star_names
 
 SUFFIXES = ("ARB", "EXT", "SGIS", "SGI", "NV", "ATI", "HP", "IBM", "WIN", "MESA", "APPLE")
 Wrap = Callable[[str, Any], Any]
