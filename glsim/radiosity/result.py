@@ -114,7 +114,7 @@ class Radiosity:
 
     def beside_direct(self, size: int = 512, view: int | View = 0) -> Image.Image:
         """Direct illumination and radiosity from the same camera, side by side, with the same white."""
-        from glsim.study.sheet import tiles
+        from glsim.pictures import tiles
 
         both = (("direct illumination", self.direct()), ("radiosity", self.vertex_radiosity))
         row = [(name, np.asarray(self.picture(size, view, colors=self.colors(B)))) for name, B in both]

@@ -73,8 +73,6 @@ class Comparison:
     @property
     def sheet(self) -> Image.Image:
         """The labelled sheet: for each lobe a row of pictures and, under it, amplified differences from the first."""
-        from glsim.study.sheet import draw_sheet
-
         return draw_sheet(self)
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -86,6 +84,49 @@ class Comparison:
         buffer = io.BytesIO()
         self.sheet.save(buffer, "PNG")
         return buffer.getvalue()
+
+
+def draw_sheet(comparison: Comparison) -> Image.Image:
+    """Columns: modes.  Rows: for each lobe the pictures, then their amplified differences from the first mode."""
+    from PIL import Image, ImageDraw, ImageFont
+
+    from glsim.pictures import FAINT, INK, PAPER, upright
+
+    first = next(iter(comparison.images.values()))
+    height, width = first.shape[:2]
+    text = max(11, min(width, 512) // 22)
+    gap, line = text // 2, round(text * 1.5)
+    font, small = ImageFont.load_default(text), ImageFont.load_default(max(10, round(text * 0.8)))
+    left, top = line + gap, 2 * line + gap
+    columns, lobes = len(comparison.modes), comparison.lobes
+    differences = columns > 1
+    block = height + gap + (height + line + gap if differences else 0)
+    size = (left + columns * (width + gap), top + len(lobes) * block)
+    sheet = Image.new("RGB", size, PAPER)
+    pen = ImageDraw.Draw(sheet)
+    pen.text((left, gap // 2), comparison.title, INK, font)
+    for column, mode in enumerate(comparison.modes):
+        pen.text((left + column * (width + gap) + width // 2, line + gap // 2), MODES[mode], INK, font, anchor="ma")
+    for row, lobe in enumerate(lobes):
+        y = top + row * block
+        upright(sheet, ROWS[lobe], font, INK, (gap // 2, y), height)
+        for column, mode in enumerate(comparison.modes):
+            x = left + column * (width + gap)
+            if (lobe, mode) not in comparison.images:
+                words = "fixed function has (N·H)^n only"
+                pen.text((x + width // 2, y + height // 2), words, FAINT, small, anchor="mm")
+                continue
+            sheet.paste(Image.fromarray(comparison.images[lobe, mode]), (x, y))
+            if differences:
+                d = comparison.difference(lobe, mode)
+                amplified = np.minimum(d * AMPLIFIED, 255).astype(np.uint8)
+                sheet.paste(Image.fromarray(amplified), (x, y + height + gap))
+                words = "reference" if column == 0 else f"max {d.max()}   mean {d.mean():.2f}"
+                pen.text((x + width // 2, y + 2 * height + gap + gap // 3), words, FAINT, small, anchor="ma")
+        if differences:
+            words = f"difference, {AMPLIFIED} times amplified"
+            upright(sheet, words, small, FAINT, (gap // 2, y + height + gap), height)
+    return sheet
 
 
 def compare(
