@@ -15,36 +15,28 @@ from typing import Any
 
 import numpy as np
 
+from glsim.gl import immediate
 from glsim.gl.arguments import numbers, signed_colour
 from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
-from glsim.machine.current import on_switch
 from glsim.machine.errors import GLError, explain
 from glsim.machine.types import SUFFIXES
 
 Function = Callable[..., Any]
-m: Any
-errors = (GLError, TypeError, ValueError, OverflowError, IndexError, NotImplementedError, StructError, ArgumentError)
-explained = explain  # the template's names: m, errors, explained
+ERRORS = (GLError, TypeError, ValueError, OverflowError, IndexError, NotImplementedError, StructError, ArgumentError)
 
-
-def _switch(machine: Any) -> None:
-    global m
-    m = machine
-
-
-on_switch(_switch)
-
+# `current` is a global of immediate.py, where all commands find the machine; m would hide glLoadMatrixf's argument
 _TEMPLATE = """
-def bind(name, body):
+def bind(name, body, errors, explain):
     def command({arguments}):
-        if m.{flag}:
-            return m.{route}(name, ({tuple}))
+        machine = current
+        if machine.{flag}:
+            return machine.{route}(name, ({tuple}))
         try:
-            return body(m{call})
+            return body(machine{call})
         except errors as error:
-            raise explained(error, name, ({tuple})) from None
+            raise explain(error, name, ({tuple})) from None
     return command
 """
 _binders: dict[tuple[int, bool], Function] = {}
@@ -63,14 +55,14 @@ def _binder(count: int, inside: bool) -> Function:
             route=route,
         )
         scope: dict[str, Any] = {}
-        exec(compile(source, f"<gl command of {count} arguments>", "exec"), globals(), scope)
+        exec(compile(source, f"<gl command of {count} arguments>", "exec"), vars(immediate), scope)
         _binders[count, inside] = scope["bind"]
     return _binders[count, inside]
 
 
 def public(command: Command, body: Function, parameters: tuple[str, ...], defaults: tuple[Any, ...] | None) -> Function:
     """A public function with the command's own name and argument names."""
-    made = _binder(len(parameters), command.inside)(command.name, body)
+    made = _binder(len(parameters), command.inside)(command.name, body, ERRORS, explain)
     code = made.__code__
     made.__code__ = code.replace(
         co_name=command.name, co_varnames=(*parameters, *code.co_varnames[len(parameters) :]), co_qualname=command.name

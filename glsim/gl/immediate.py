@@ -10,26 +10,20 @@ from struct import Struct
 from struct import error as struct_error
 from typing import Any
 
-from glsim.machine.current import on_switch
+from glsim.machine.current import attach, current_machine
 from glsim.machine.errors import explain
 
 row = Struct("10f").pack
 BAD = (TypeError, ValueError, OverflowError, IndexError, struct_error)
 Numbers = Sequence[Any]
-m: Any
-
-
-def _switch(machine: Any) -> None:
-    global m
-    m = machine
-
-
-on_switch(_switch)
+current: Any  # the machine; see glsim/machine/current.py
+attach(globals())
 
 
 def _misuse(name: str, arguments: tuple[Any, ...], error: Exception) -> Exception:
     """The sentence for a number that is none: an argument, or the current normal or colour."""
     if isinstance(error, struct_error):
+        m = current_machine()
         for what, value in (("normal", (m.nx, m.ny, m.nz)), ("color", (m.red, m.green, m.blue, m.alpha))):
             try:
                 Struct(f"{len(value)}f").pack(*value)
@@ -43,6 +37,7 @@ def _first(v: Any) -> Any:
 
 
 def glVertex2s(x: int, y: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2s", (x, y))  # type: ignore[no-any-return]
     try:
@@ -52,6 +47,7 @@ def glVertex2s(x: int, y: int) -> None:
 
 
 def glVertex2sv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2sv", (v,))  # type: ignore[no-any-return]
     try:
@@ -62,6 +58,7 @@ def glVertex2sv(v: Numbers) -> None:
 
 
 def glVertex2i(x: int, y: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2i", (x, y))  # type: ignore[no-any-return]
     try:
@@ -71,6 +68,7 @@ def glVertex2i(x: int, y: int) -> None:
 
 
 def glVertex2iv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2iv", (v,))  # type: ignore[no-any-return]
     try:
@@ -81,6 +79,7 @@ def glVertex2iv(v: Numbers) -> None:
 
 
 def glVertex2f(x: float, y: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2f", (x, y))  # type: ignore[no-any-return]
     try:
@@ -90,6 +89,7 @@ def glVertex2f(x: float, y: float) -> None:
 
 
 def glVertex2fv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2fv", (v,))  # type: ignore[no-any-return]
     try:
@@ -100,6 +100,7 @@ def glVertex2fv(v: Numbers) -> None:
 
 
 def glVertex2d(x: float, y: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2d", (x, y))  # type: ignore[no-any-return]
     try:
@@ -109,6 +110,7 @@ def glVertex2d(x: float, y: float) -> None:
 
 
 def glVertex2dv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2dv", (v,))  # type: ignore[no-any-return]
     try:
@@ -119,6 +121,7 @@ def glVertex2dv(v: Numbers) -> None:
 
 
 def glVertex3s(x: int, y: int, z: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3s", (x, y, z))  # type: ignore[no-any-return]
     try:
@@ -128,6 +131,7 @@ def glVertex3s(x: int, y: int, z: int) -> None:
 
 
 def glVertex3sv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3sv", (v,))  # type: ignore[no-any-return]
     try:
@@ -138,6 +142,7 @@ def glVertex3sv(v: Numbers) -> None:
 
 
 def glVertex3i(x: int, y: int, z: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3i", (x, y, z))  # type: ignore[no-any-return]
     try:
@@ -147,6 +152,7 @@ def glVertex3i(x: int, y: int, z: int) -> None:
 
 
 def glVertex3iv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3iv", (v,))  # type: ignore[no-any-return]
     try:
@@ -157,6 +163,7 @@ def glVertex3iv(v: Numbers) -> None:
 
 
 def glVertex3f(x: float, y: float, z: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3f", (x, y, z))  # type: ignore[no-any-return]
     try:
@@ -166,6 +173,7 @@ def glVertex3f(x: float, y: float, z: float) -> None:
 
 
 def glVertex3fv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3fv", (v,))  # type: ignore[no-any-return]
     try:
@@ -176,6 +184,7 @@ def glVertex3fv(v: Numbers) -> None:
 
 
 def glVertex3d(x: float, y: float, z: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3d", (x, y, z))  # type: ignore[no-any-return]
     try:
@@ -185,6 +194,7 @@ def glVertex3d(x: float, y: float, z: float) -> None:
 
 
 def glVertex3dv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3dv", (v,))  # type: ignore[no-any-return]
     try:
@@ -195,6 +205,7 @@ def glVertex3dv(v: Numbers) -> None:
 
 
 def glVertex4s(x: int, y: int, z: int, w: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4s", (x, y, z, w))  # type: ignore[no-any-return]
     try:
@@ -206,6 +217,7 @@ def glVertex4s(x: int, y: int, z: int, w: int) -> None:
 
 
 def glVertex4sv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4sv", (v,))  # type: ignore[no-any-return]
     try:
@@ -218,6 +230,7 @@ def glVertex4sv(v: Numbers) -> None:
 
 
 def glVertex4i(x: int, y: int, z: int, w: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4i", (x, y, z, w))  # type: ignore[no-any-return]
     try:
@@ -229,6 +242,7 @@ def glVertex4i(x: int, y: int, z: int, w: int) -> None:
 
 
 def glVertex4iv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4iv", (v,))  # type: ignore[no-any-return]
     try:
@@ -241,6 +255,7 @@ def glVertex4iv(v: Numbers) -> None:
 
 
 def glVertex4f(x: float, y: float, z: float, w: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4f", (x, y, z, w))  # type: ignore[no-any-return]
     try:
@@ -252,6 +267,7 @@ def glVertex4f(x: float, y: float, z: float, w: float) -> None:
 
 
 def glVertex4fv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4fv", (v,))  # type: ignore[no-any-return]
     try:
@@ -264,6 +280,7 @@ def glVertex4fv(v: Numbers) -> None:
 
 
 def glVertex4d(x: float, y: float, z: float, w: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4d", (x, y, z, w))  # type: ignore[no-any-return]
     try:
@@ -275,6 +292,7 @@ def glVertex4d(x: float, y: float, z: float, w: float) -> None:
 
 
 def glVertex4dv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4dv", (v,))  # type: ignore[no-any-return]
     try:
@@ -287,6 +305,7 @@ def glVertex4dv(v: Numbers) -> None:
 
 
 def glNormal3b(nx: int, ny: int, nz: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3b", (nx, ny, nz))  # type: ignore[no-any-return]
     try:
@@ -298,6 +317,7 @@ def glNormal3b(nx: int, ny: int, nz: int) -> None:
 
 
 def glNormal3bv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3bv", (v,))  # type: ignore[no-any-return]
     try:
@@ -310,6 +330,7 @@ def glNormal3bv(v: Numbers) -> None:
 
 
 def glNormal3s(nx: int, ny: int, nz: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3s", (nx, ny, nz))  # type: ignore[no-any-return]
     try:
@@ -321,6 +342,7 @@ def glNormal3s(nx: int, ny: int, nz: int) -> None:
 
 
 def glNormal3sv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3sv", (v,))  # type: ignore[no-any-return]
     try:
@@ -333,6 +355,7 @@ def glNormal3sv(v: Numbers) -> None:
 
 
 def glNormal3i(nx: int, ny: int, nz: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3i", (nx, ny, nz))  # type: ignore[no-any-return]
     try:
@@ -344,6 +367,7 @@ def glNormal3i(nx: int, ny: int, nz: int) -> None:
 
 
 def glNormal3iv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3iv", (v,))  # type: ignore[no-any-return]
     try:
@@ -356,6 +380,7 @@ def glNormal3iv(v: Numbers) -> None:
 
 
 def glNormal3f(nx: float, ny: float, nz: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3f", (nx, ny, nz))  # type: ignore[no-any-return]
     try:
@@ -367,6 +392,7 @@ def glNormal3f(nx: float, ny: float, nz: float) -> None:
 
 
 def glNormal3fv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3fv", (v,))  # type: ignore[no-any-return]
     try:
@@ -379,6 +405,7 @@ def glNormal3fv(v: Numbers) -> None:
 
 
 def glNormal3d(nx: float, ny: float, nz: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3d", (nx, ny, nz))  # type: ignore[no-any-return]
     try:
@@ -390,6 +417,7 @@ def glNormal3d(nx: float, ny: float, nz: float) -> None:
 
 
 def glNormal3dv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3dv", (v,))  # type: ignore[no-any-return]
     try:
@@ -402,6 +430,7 @@ def glNormal3dv(v: Numbers) -> None:
 
 
 def glColor3b(red: int, green: int, blue: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3b", (red, green, blue))  # type: ignore[no-any-return]
     try:
@@ -414,6 +443,7 @@ def glColor3b(red: int, green: int, blue: int) -> None:
 
 
 def glColor3bv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3bv", (v,))  # type: ignore[no-any-return]
     try:
@@ -427,6 +457,7 @@ def glColor3bv(v: Numbers) -> None:
 
 
 def glColor3s(red: int, green: int, blue: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3s", (red, green, blue))  # type: ignore[no-any-return]
     try:
@@ -439,6 +470,7 @@ def glColor3s(red: int, green: int, blue: int) -> None:
 
 
 def glColor3sv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3sv", (v,))  # type: ignore[no-any-return]
     try:
@@ -452,6 +484,7 @@ def glColor3sv(v: Numbers) -> None:
 
 
 def glColor3i(red: int, green: int, blue: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3i", (red, green, blue))  # type: ignore[no-any-return]
     try:
@@ -464,6 +497,7 @@ def glColor3i(red: int, green: int, blue: int) -> None:
 
 
 def glColor3iv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3iv", (v,))  # type: ignore[no-any-return]
     try:
@@ -477,6 +511,7 @@ def glColor3iv(v: Numbers) -> None:
 
 
 def glColor3f(red: float, green: float, blue: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3f", (red, green, blue))  # type: ignore[no-any-return]
     try:
@@ -489,6 +524,7 @@ def glColor3f(red: float, green: float, blue: float) -> None:
 
 
 def glColor3fv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3fv", (v,))  # type: ignore[no-any-return]
     try:
@@ -502,6 +538,7 @@ def glColor3fv(v: Numbers) -> None:
 
 
 def glColor3d(red: float, green: float, blue: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3d", (red, green, blue))  # type: ignore[no-any-return]
     try:
@@ -514,6 +551,7 @@ def glColor3d(red: float, green: float, blue: float) -> None:
 
 
 def glColor3dv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3dv", (v,))  # type: ignore[no-any-return]
     try:
@@ -527,6 +565,7 @@ def glColor3dv(v: Numbers) -> None:
 
 
 def glColor3ub(red: int, green: int, blue: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3ub", (red, green, blue))  # type: ignore[no-any-return]
     try:
@@ -539,6 +578,7 @@ def glColor3ub(red: int, green: int, blue: int) -> None:
 
 
 def glColor3ubv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3ubv", (v,))  # type: ignore[no-any-return]
     try:
@@ -552,6 +592,7 @@ def glColor3ubv(v: Numbers) -> None:
 
 
 def glColor3us(red: int, green: int, blue: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3us", (red, green, blue))  # type: ignore[no-any-return]
     try:
@@ -564,6 +605,7 @@ def glColor3us(red: int, green: int, blue: int) -> None:
 
 
 def glColor3usv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3usv", (v,))  # type: ignore[no-any-return]
     try:
@@ -577,6 +619,7 @@ def glColor3usv(v: Numbers) -> None:
 
 
 def glColor3ui(red: int, green: int, blue: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3ui", (red, green, blue))  # type: ignore[no-any-return]
     try:
@@ -589,6 +632,7 @@ def glColor3ui(red: int, green: int, blue: int) -> None:
 
 
 def glColor3uiv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3uiv", (v,))  # type: ignore[no-any-return]
     try:
@@ -602,6 +646,7 @@ def glColor3uiv(v: Numbers) -> None:
 
 
 def glColor4b(red: int, green: int, blue: int, alpha: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4b", (red, green, blue, alpha))  # type: ignore[no-any-return]
     try:
@@ -614,6 +659,7 @@ def glColor4b(red: int, green: int, blue: int, alpha: int) -> None:
 
 
 def glColor4bv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4bv", (v,))  # type: ignore[no-any-return]
     try:
@@ -627,6 +673,7 @@ def glColor4bv(v: Numbers) -> None:
 
 
 def glColor4s(red: int, green: int, blue: int, alpha: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4s", (red, green, blue, alpha))  # type: ignore[no-any-return]
     try:
@@ -639,6 +686,7 @@ def glColor4s(red: int, green: int, blue: int, alpha: int) -> None:
 
 
 def glColor4sv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4sv", (v,))  # type: ignore[no-any-return]
     try:
@@ -652,6 +700,7 @@ def glColor4sv(v: Numbers) -> None:
 
 
 def glColor4i(red: int, green: int, blue: int, alpha: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4i", (red, green, blue, alpha))  # type: ignore[no-any-return]
     try:
@@ -664,6 +713,7 @@ def glColor4i(red: int, green: int, blue: int, alpha: int) -> None:
 
 
 def glColor4iv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4iv", (v,))  # type: ignore[no-any-return]
     try:
@@ -677,6 +727,7 @@ def glColor4iv(v: Numbers) -> None:
 
 
 def glColor4f(red: float, green: float, blue: float, alpha: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4f", (red, green, blue, alpha))  # type: ignore[no-any-return]
     try:
@@ -689,6 +740,7 @@ def glColor4f(red: float, green: float, blue: float, alpha: float) -> None:
 
 
 def glColor4fv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4fv", (v,))  # type: ignore[no-any-return]
     try:
@@ -702,6 +754,7 @@ def glColor4fv(v: Numbers) -> None:
 
 
 def glColor4d(red: float, green: float, blue: float, alpha: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4d", (red, green, blue, alpha))  # type: ignore[no-any-return]
     try:
@@ -714,6 +767,7 @@ def glColor4d(red: float, green: float, blue: float, alpha: float) -> None:
 
 
 def glColor4dv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4dv", (v,))  # type: ignore[no-any-return]
     try:
@@ -727,6 +781,7 @@ def glColor4dv(v: Numbers) -> None:
 
 
 def glColor4ub(red: int, green: int, blue: int, alpha: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4ub", (red, green, blue, alpha))  # type: ignore[no-any-return]
     try:
@@ -739,6 +794,7 @@ def glColor4ub(red: int, green: int, blue: int, alpha: int) -> None:
 
 
 def glColor4ubv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4ubv", (v,))  # type: ignore[no-any-return]
     try:
@@ -752,6 +808,7 @@ def glColor4ubv(v: Numbers) -> None:
 
 
 def glColor4us(red: int, green: int, blue: int, alpha: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4us", (red, green, blue, alpha))  # type: ignore[no-any-return]
     try:
@@ -764,6 +821,7 @@ def glColor4us(red: int, green: int, blue: int, alpha: int) -> None:
 
 
 def glColor4usv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4usv", (v,))  # type: ignore[no-any-return]
     try:
@@ -777,6 +835,7 @@ def glColor4usv(v: Numbers) -> None:
 
 
 def glColor4ui(red: int, green: int, blue: int, alpha: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4ui", (red, green, blue, alpha))  # type: ignore[no-any-return]
     try:
@@ -789,6 +848,7 @@ def glColor4ui(red: int, green: int, blue: int, alpha: int) -> None:
 
 
 def glColor4uiv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4uiv", (v,))  # type: ignore[no-any-return]
     try:
@@ -802,6 +862,7 @@ def glColor4uiv(v: Numbers) -> None:
 
 
 def glTexCoord1s(s: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1s", (s,))  # type: ignore[no-any-return]
     try:
@@ -811,6 +872,7 @@ def glTexCoord1s(s: int) -> None:
 
 
 def glTexCoord1sv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1sv", (v,))  # type: ignore[no-any-return]
     try:
@@ -821,6 +883,7 @@ def glTexCoord1sv(v: Numbers) -> None:
 
 
 def glTexCoord1i(s: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1i", (s,))  # type: ignore[no-any-return]
     try:
@@ -830,6 +893,7 @@ def glTexCoord1i(s: int) -> None:
 
 
 def glTexCoord1iv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1iv", (v,))  # type: ignore[no-any-return]
     try:
@@ -840,6 +904,7 @@ def glTexCoord1iv(v: Numbers) -> None:
 
 
 def glTexCoord1f(s: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1f", (s,))  # type: ignore[no-any-return]
     try:
@@ -849,6 +914,7 @@ def glTexCoord1f(s: float) -> None:
 
 
 def glTexCoord1fv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1fv", (v,))  # type: ignore[no-any-return]
     try:
@@ -859,6 +925,7 @@ def glTexCoord1fv(v: Numbers) -> None:
 
 
 def glTexCoord1d(s: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1d", (s,))  # type: ignore[no-any-return]
     try:
@@ -868,6 +935,7 @@ def glTexCoord1d(s: float) -> None:
 
 
 def glTexCoord1dv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1dv", (v,))  # type: ignore[no-any-return]
     try:
@@ -878,6 +946,7 @@ def glTexCoord1dv(v: Numbers) -> None:
 
 
 def glTexCoord2s(s: int, t: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2s", (s, t))  # type: ignore[no-any-return]
     try:
@@ -887,6 +956,7 @@ def glTexCoord2s(s: int, t: int) -> None:
 
 
 def glTexCoord2sv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2sv", (v,))  # type: ignore[no-any-return]
     try:
@@ -897,6 +967,7 @@ def glTexCoord2sv(v: Numbers) -> None:
 
 
 def glTexCoord2i(s: int, t: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2i", (s, t))  # type: ignore[no-any-return]
     try:
@@ -906,6 +977,7 @@ def glTexCoord2i(s: int, t: int) -> None:
 
 
 def glTexCoord2iv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2iv", (v,))  # type: ignore[no-any-return]
     try:
@@ -916,6 +988,7 @@ def glTexCoord2iv(v: Numbers) -> None:
 
 
 def glTexCoord2f(s: float, t: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2f", (s, t))  # type: ignore[no-any-return]
     try:
@@ -925,6 +998,7 @@ def glTexCoord2f(s: float, t: float) -> None:
 
 
 def glTexCoord2fv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2fv", (v,))  # type: ignore[no-any-return]
     try:
@@ -935,6 +1009,7 @@ def glTexCoord2fv(v: Numbers) -> None:
 
 
 def glTexCoord2d(s: float, t: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2d", (s, t))  # type: ignore[no-any-return]
     try:
@@ -944,6 +1019,7 @@ def glTexCoord2d(s: float, t: float) -> None:
 
 
 def glTexCoord2dv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2dv", (v,))  # type: ignore[no-any-return]
     try:
@@ -954,6 +1030,7 @@ def glTexCoord2dv(v: Numbers) -> None:
 
 
 def glTexCoord3s(s: int, t: int, r: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3s", (s, t, r))  # type: ignore[no-any-return]
     try:
@@ -963,6 +1040,7 @@ def glTexCoord3s(s: int, t: int, r: int) -> None:
 
 
 def glTexCoord3sv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3sv", (v,))  # type: ignore[no-any-return]
     try:
@@ -973,6 +1051,7 @@ def glTexCoord3sv(v: Numbers) -> None:
 
 
 def glTexCoord3i(s: int, t: int, r: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3i", (s, t, r))  # type: ignore[no-any-return]
     try:
@@ -982,6 +1061,7 @@ def glTexCoord3i(s: int, t: int, r: int) -> None:
 
 
 def glTexCoord3iv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3iv", (v,))  # type: ignore[no-any-return]
     try:
@@ -992,6 +1072,7 @@ def glTexCoord3iv(v: Numbers) -> None:
 
 
 def glTexCoord3f(s: float, t: float, r: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3f", (s, t, r))  # type: ignore[no-any-return]
     try:
@@ -1001,6 +1082,7 @@ def glTexCoord3f(s: float, t: float, r: float) -> None:
 
 
 def glTexCoord3fv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3fv", (v,))  # type: ignore[no-any-return]
     try:
@@ -1011,6 +1093,7 @@ def glTexCoord3fv(v: Numbers) -> None:
 
 
 def glTexCoord3d(s: float, t: float, r: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3d", (s, t, r))  # type: ignore[no-any-return]
     try:
@@ -1020,6 +1103,7 @@ def glTexCoord3d(s: float, t: float, r: float) -> None:
 
 
 def glTexCoord3dv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3dv", (v,))  # type: ignore[no-any-return]
     try:
@@ -1030,6 +1114,7 @@ def glTexCoord3dv(v: Numbers) -> None:
 
 
 def glTexCoord4s(s: int, t: int, r: int, q: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4s", (s, t, r, q))  # type: ignore[no-any-return]
     try:
@@ -1039,6 +1124,7 @@ def glTexCoord4s(s: int, t: int, r: int, q: int) -> None:
 
 
 def glTexCoord4sv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4sv", (v,))  # type: ignore[no-any-return]
     try:
@@ -1049,6 +1135,7 @@ def glTexCoord4sv(v: Numbers) -> None:
 
 
 def glTexCoord4i(s: int, t: int, r: int, q: int) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4i", (s, t, r, q))  # type: ignore[no-any-return]
     try:
@@ -1058,6 +1145,7 @@ def glTexCoord4i(s: int, t: int, r: int, q: int) -> None:
 
 
 def glTexCoord4iv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4iv", (v,))  # type: ignore[no-any-return]
     try:
@@ -1068,6 +1156,7 @@ def glTexCoord4iv(v: Numbers) -> None:
 
 
 def glTexCoord4f(s: float, t: float, r: float, q: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4f", (s, t, r, q))  # type: ignore[no-any-return]
     try:
@@ -1077,6 +1166,7 @@ def glTexCoord4f(s: float, t: float, r: float, q: float) -> None:
 
 
 def glTexCoord4fv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4fv", (v,))  # type: ignore[no-any-return]
     try:
@@ -1087,6 +1177,7 @@ def glTexCoord4fv(v: Numbers) -> None:
 
 
 def glTexCoord4d(s: float, t: float, r: float, q: float) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4d", (s, t, r, q))  # type: ignore[no-any-return]
     try:
@@ -1096,6 +1187,7 @@ def glTexCoord4d(s: float, t: float, r: float, q: float) -> None:
 
 
 def glTexCoord4dv(v: Numbers) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4dv", (v,))  # type: ignore[no-any-return]
     try:

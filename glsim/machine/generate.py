@@ -42,26 +42,20 @@ from struct import Struct
 from struct import error as struct_error
 from typing import Any
 
-from glsim.machine.current import on_switch
+from glsim.machine.current import attach, current_machine
 from glsim.machine.errors import explain
 
 row = Struct("10f").pack
 BAD = (TypeError, ValueError, OverflowError, IndexError, struct_error)
 Numbers = Sequence[Any]
-m: Any
-
-
-def _switch(machine: Any) -> None:
-    global m
-    m = machine
-
-
-on_switch(_switch)
+current: Any  # the machine; see glsim/machine/current.py
+attach(globals())
 
 
 def _misuse(name: str, arguments: tuple[Any, ...], error: Exception) -> Exception:
     """The sentence for a number that is none: an argument, or the current normal or colour."""
     if isinstance(error, struct_error):
+        m = current_machine()
         for what, value in (("normal", (m.nx, m.ny, m.nz)), ("color", (m.red, m.green, m.blue, m.alpha))):
             try:
                 Struct(f"{len(value)}f").pack(*value)
@@ -108,6 +102,7 @@ def hot_function(command: Command) -> str:
     lines = "\n".join(f"        {line}" for line in body)
     return (
         f"def {command.name}({signature}) -> None:\n"
+        f"    m = current\n"
         f"    if m.recorder:\n"
         f'        return m.recorder("{command.name}", {given})  # type: ignore[no-any-return]\n'
         f"    try:\n{lines}\n"
