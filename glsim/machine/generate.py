@@ -42,20 +42,13 @@ from struct import Struct
 from typing import Any
 
 from glsim.gl.arguments import again
-from glsim.machine.current import on_switch
+from glsim.machine.current import attach
 from glsim.machine.errors import MISUSE as BAD
 
 row = Struct("10f").pack
 Numbers = Sequence[Any]
-m: Any
-
-
-def _switch(machine: Any) -> None:
-    global m
-    m = machine
-
-
-on_switch(_switch)
+current: Any  # the machine; see glsim/machine/current.py
+attach(globals())
 '''
 
 
@@ -97,6 +90,7 @@ def hot_function(command: Command) -> str:
     recorded = f"{given} if surplus is None else ({', '.join(parameters)}, surplus)"
     return (
         f"def {command.name}({signature}, surplus: Any = None) -> None:\n"
+        f"    m = current\n"
         f"    if m.recorder:\n"
         f'        return m.recorder("{command.name}", {recorded})  # type: ignore[no-any-return]\n'
         f"    try:\n{lines}\n"

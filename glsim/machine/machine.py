@@ -7,6 +7,7 @@ packets of the frame.  At a flush point the packets go to the ``device``, which 
 from __future__ import annotations
 
 import io
+from _thread import get_ident
 from collections.abc import Callable
 from typing import Any, Protocol
 
@@ -14,8 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.constants import GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE
-from glsim.machine.errors import invalid_operation
+from glsim.machine.errors import NoContextError, invalid_operation
 from glsim.machine.frame import ROW, ROW_BYTES, Draw, Frame, Matrices, Packet, Vertices
+from glsim.machine.interrupts import uninterrupted
 from glsim.machine.matrix import Matrix, identity
 from glsim.machine.pixels import PixelMode, PixelStore
 from glsim.machine.state import (
@@ -57,6 +59,9 @@ class Device(Protocol):
 
     width: int
     height: int
+
+    def check(self) -> None:
+        """Raise if it cannot draw now, in this thread; whoever asks loses nothing yet."""
 
     def execute(self, packets: list[Packet]) -> None: ...
 
@@ -101,7 +106,7 @@ class Machine:
         "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest",
         "list_base", "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store", "packets",
         "pixel", "projection", "queries", "raster", "recorder", "red", "selection", "several_texture_matrices", "stack",
-        "stacks", "stream", "texcoord", "texture_names", "texture_stacks", "textures", "tracks", "unpack_store",
+        "stacks", "stream", "texcoord", "texture_names", "texture_stacks", "textures", "thread", "tracks", "unpack_store",
         "write", "__weakref__",
         # groups of state
         "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",
@@ -110,6 +115,7 @@ class Machine:
 
     def __init__(self, device: Device) -> None:
         self.device = device
+        self.thread = get_ident()  # in which it is current
         self.capturing: Frame | None = None
         self.change: Callable[[Draw], Draw] | None = None  # made of every Draw: another shade model, say
         self.reset()
@@ -216,6 +222,8 @@ class Machine:
     # ------------------------------------------------------------ primitives
 
     def begin(self, mode: int) -> None:
+        if get_ident() != self.thread:
+            raise NoContextError("no context is current in this thread: each thread opens its own, with glsim.offscreen")
         self.inside = mode
         self.busy = True
         self.first = self.stream.tell() // ROW_BYTES
@@ -254,9 +262,8 @@ class Machine:
 
     def matrices(self) -> Matrices:
         """What a Draw made now is transformed with."""
-        first, *others = self.texture_stacks
-        usual = self.modelview[-1], self.projection[-1], first[-1]
-        return (*usual, *(stack[-1] for stack in others)) if self.several_texture_matrices else usual
+        usual = self.modelview[-1], self.projection[-1], self.texture_stacks[0][-1]
+        return usual if not self.several_texture_matrices else (*usual, *[s[-1] for s in self.texture_stacks[1:]])
 
     def snapshot(self) -> Snapshot:
         """The groups of state as they are; the same object as long as none changes."""
@@ -271,19 +278,21 @@ class Machine:
         """Hand all packets to the device; nothing happens between glBegin and glEnd."""
         if not self.packets or self.inside is not None:
             return
-        vertices = self.take_vertices()
-        packets, self.packets = self.packets, []
-        for packet in packets:
-            if type(packet) is Draw and packet.vertices is None:
-                packet.vertices = vertices
-        if self.collector is not None:
-            self.collector(packets)
-            return
-        if self.change is not None:
-            packets = [self.change(packet) if type(packet) is Draw else packet for packet in packets]
-        if self.capturing is not None:
-            self.capturing.packets += packets
-        self.device.execute(packets)
+        self.device.check()
+        with uninterrupted():
+            vertices = self.take_vertices()
+            packets, self.packets = self.packets, []
+            for packet in packets:
+                if type(packet) is Draw and packet.vertices is None:
+                    packet.vertices = vertices
+            if self.collector is not None:
+                self.collector(packets)
+                return
+            if self.change is not None:
+                packets = [self.change(packet) if type(packet) is Draw else packet for packet in packets]
+            if self.capturing is not None:
+                self.capturing.packets += packets
+            self.device.execute(packets)
 
     def complete(self) -> None:
         """Flush, for somebody who wants the picture.  Raises GLError between glBegin and glEnd."""

@@ -17,7 +17,7 @@ from glsim.machine.commands import COMMANDS, Command
 from glsim.machine.constants import GL_2_BYTES, GL_3_BYTES, GL_4_BYTES
 from glsim.machine.frame import Call
 from glsim.machine.types import DTYPES, SUFFIXES
-from glsim.render.device import one_line
+from glsim.render.device import one_line, opening
 from glsim.render.egl import EGLLoader
 from glsim.render.osmesa import OSMesaLoader
 
@@ -47,6 +47,7 @@ class Native:
 
     def __init__(self, width: int, height: int, backends: Sequence[str] = ("egl", "osmesa")) -> None:
         self.width, self.height = width, height
+        opening()
         said = []
         for name in backends:
             try:
