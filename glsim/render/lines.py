@@ -87,7 +87,7 @@ def lines(draws: list[Draw]) -> list[Draw]:
         part = Draw(GL_LINES, first, count, None, draw.matrices, draw.material, state, vertices)
         if wide:
             part.indices = (np.arange(len(pairs), dtype=np.uint32)[:, None] * 4 + TRIANGLES).ravel()
-        part.color = draw.color
+        part.color, part.call = draw.color, draw.call
         result.append(part)
         first += count
     others = np.concatenate(ends)[:, 1 - order].ravel()

@@ -181,6 +181,7 @@ def _introduced(whole: Draw, planes: NDArray[np.float64], edges: NDArray[np.int6
     block = Vertices(np.ascontiguousarray(rows), columns | dict(zip(varying, values, strict=True)), [])
     part = Draw(GL_LINES if mode == GL_LINE else GL_POINTS, 0, len(rows), None, whole.matrices, whole.material, state, block)
     part.color = None if whole.state.lighting.enabled and not lighting.enabled else whole.color
+    part.call = whole.call
     return part
 
 
@@ -236,5 +237,5 @@ def _part(
         elif state.lighting.color_material:
             state = state._replace(lighting=state.lighting._replace(color_material_face=GL_FRONT_AND_BACK))
     part = Draw(mode, 0, len(chosen), None, draw.matrices, material, state, vertices)
-    part.color = draw.color
+    part.color, part.call = draw.color, draw.call
     return part
