@@ -81,7 +81,7 @@ def lines(draws: list[Draw]) -> list[Draw]:
     vertices = block.take(chosen)
     for draw, pairs in zip(draws, ends, strict=True):
         count = pairs.size * (2 if wide else 1)
-        if block.materials and draw.indices is None:
+        if block.materials:
             used = draw.materials_at(chosen[first : first + count])
             materials += [(first + k, material) for k, material in enumerate(used)]
         part = Draw(GL_LINES, first, count, None, draw.matrices, draw.material, state, vertices)

@@ -225,7 +225,7 @@ def _part(
         if state.lighting.enabled:
             vertices.columns["lit_position"] = positions(block, source)
     material = draw.material
-    if block.materials and draw.indices is None:
+    if block.materials:
         vertices.materials = list(enumerate(draw.materials_at(source)))
     if not front and state.lighting.enabled and state.lighting.two_side:  # lines and points have no back: turn it round
         vertices.rows[:, 3:6] *= -1
