@@ -88,7 +88,7 @@ class Survey(NamedTuple):
 def _alone(draw: Draw, chosen: NDArray[np.uint32]) -> Draw:
     """Some vertices of a Draw, as plain primitives over vertices of their own."""
     materials = []
-    if draw.block.materials and draw.indices is None:
+    if draw.block.materials:
         materials = list(enumerate(draw.materials_at(chosen)))
     block = draw.block.take(chosen, materials)
     plain = Draw(PLAIN[corners(draw.mode)], 0, len(chosen), None, draw.matrices, draw.material, draw.state, block)

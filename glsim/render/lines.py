@@ -81,13 +81,13 @@ def lines(draws: list[Draw]) -> list[Draw]:
     vertices = block.take(chosen)
     for draw, pairs in zip(draws, ends, strict=True):
         count = pairs.size * (2 if wide else 1)
-        if block.materials and draw.indices is None:
+        if block.materials:
             used = draw.materials_at(chosen[first : first + count])
             materials += [(first + k, material) for k, material in enumerate(used)]
         part = Draw(GL_LINES, first, count, None, draw.matrices, draw.material, state, vertices)
         if wide:
             part.indices = (np.arange(len(pairs), dtype=np.uint32)[:, None] * 4 + TRIANGLES).ravel()
-        part.color = draw.color
+        part.color, part.call = draw.color, draw.call
         result.append(part)
         first += count
     others = np.concatenate(ends)[:, 1 - order].ravel()

@@ -180,6 +180,7 @@ def _introduced(whole: Draw, planes: NDArray[np.float64], edges: NDArray[np.int6
     block = Vertices(np.ascontiguousarray(rows), columns | dict(zip(varying, values, strict=True)), [])
     part = Draw(GL_LINES if mode == GL_LINE else GL_POINTS, 0, len(rows), None, whole.matrices, whole.material, state, block)
     part.color = None if whole.state.lighting.enabled and not lighting.enabled else whole.color
+    part.call = whole.call
     return part
 
 
@@ -223,7 +224,7 @@ def _part(
         if state.lighting.enabled:
             vertices.columns["lit_position"] = positions(block, source)
     material = draw.material
-    if block.materials and draw.indices is None:
+    if block.materials:
         vertices.materials = list(enumerate(draw.materials_at(source)))
     if not front and state.lighting.enabled and state.lighting.two_side:  # lines and points have no back: turn it round
         vertices.rows[:, 3:6] *= -1
@@ -235,5 +236,5 @@ def _part(
         elif state.lighting.color_material:
             state = state._replace(lighting=state.lighting._replace(color_material_face=GL_FRONT_AND_BACK))
     part = Draw(mode, 0, len(chosen), None, draw.matrices, material, state, vertices)
-    part.color = draw.color
+    part.color, part.call = draw.color, draw.call
     return part
