@@ -116,7 +116,9 @@ class Detector:
         if len(call.arguments) <= len(names):
             return
         one = COMMANDS[call.name]
-        wider = [c.name for c in FAMILIES[one.family] if len(c.parameters) == len(call.arguments) and c.type == one.type]
+        wider = [
+            c.name for c in FAMILIES[one.family] if len(c.parameters) == len(call.arguments) and c.type == one.type
+        ]
         other = f": {wider[0]} takes {len(call.arguments)}" if wider else ""
         count = f"{len(names)} argument{'s' * (len(names) != 1)}"
         words = {"call": call_text(call), "name": call.name, "count": count, "names": ", ".join(names), "other": other}
