@@ -94,6 +94,7 @@ from glsim.machine.texture import (
     Images,
     Sampler,
     Texture,
+    in_base_format,
     mipmaps,
 )
 from glsim.machine.types import DTYPES, fill
@@ -292,20 +293,6 @@ def _check_image(kind: int, level: int, internalformat: int, border: int, size: 
         raise invalid_operation("a depth texture must have one or two dimensions")
 
 
-def in_base_format(texels: Any, base: int) -> Any:
-    """Red, green, blue, alpha as a base internal format keeps them."""
-    result = texels.copy()
-    if base in (GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY):
-        result[..., :3] = texels[..., :1]
-    if base == GL_INTENSITY:
-        result[..., 3] = texels[..., 0]
-    elif base in (GL_LUMINANCE, GL_RGB):
-        result[..., 3] = 255
-    elif base == GL_ALPHA:
-        result[..., :3] = 0
-    return result
-
-
 def _texels(m: Machine, internalformat: int, size: tuple[int, ...], format: int, type: int, pixels: Any) -> Any:
     """A rectangle out of the program's memory as an image keeps it; zeros if ``pixels`` is None."""
     check(format, type)
@@ -321,7 +308,7 @@ def _texels(m: Machine, internalformat: int, size: tuple[int, ...], format: int,
     if pixels is None:
         return np.zeros((*size, 4), np.uint8)
     rgba = as_bytes(colors(m.pixel, format, unpack(m.unpack_store, size, format, type, pixels)))
-    return in_base_format(rgba, base)
+    return in_base_format(rgba, base, 255)
 
 
 def _define(m: Machine, kind: int, face: int, level: int, image: Image) -> None:
@@ -450,7 +437,7 @@ def _from_framebuffer(m: Machine, internalformat: int, x: int, y: int, width: in
     if base == GL_DEPTH_COMPONENT:
         return depths(m.pixel, m.device.read(x, y, width, height, "depth")[..., None])
     rgba = as_bytes(transferred(m.pixel, m.device.read(x, y, width, height, "color")))
-    return in_base_format(rgba, base)
+    return in_base_format(rgba, base, 255)
 
 
 def _copy_image(

@@ -7,5 +7,6 @@ from tests.oracle import (  # noqa: F401  they add to PROGRAMS
     pixel_programs,
     texture_programs,
     unit_programs,
+    wrap_programs,
 )
 from tests.oracle.programs import PROGRAMS as PROGRAMS
