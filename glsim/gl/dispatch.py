@@ -83,7 +83,6 @@ def public(command: Command, body: Function, parameters: tuple[str, ...], defaul
     )
     made.__name__ = made.__qualname__ = command.name
     made.__module__ = "glsim.gl"
-    made.__doc__ = body.__doc__
     made.__defaults__ = defaults
     made.__signature__ = _signature(parameters, defaults)
     return made  # type: ignore[no-any-return]
@@ -153,7 +152,6 @@ def suffix_free(family: str, functions: dict[str, Function]) -> Function:
         call = _suffix_free_components(family, functions)
     call.__name__ = call.__qualname__ = family
     call.__module__ = "glsim.gl"
-    call.__doc__ = f"{family} with any number type and count: {', '.join(row.name for row in rows[:4])}, ..."
     return call
 
 

@@ -283,6 +283,23 @@ _PER_WINDOW = (
     "TabletMotion TabletButton Position MultiEntry MultiButton MultiMotion MultiPassive InitContext AppStatus"
 )
 PER_WINDOW = _PER_WINDOW.split()
+_CALLED_WITH = {  # what a callback gets (x, y: the mouse, in pixels from the upper left), and when
+    "Display": ("()", "when the window must be drawn"),
+    "Reshape": ("(width, height)", "when the window gets a size, in pixels"),
+    "Keyboard": ("(key, x, y)", "when a key is pressed; key: its letter as bytes"),
+    "KeyboardUp": ("(key, x, y)", "when a key is released"),
+    "Special": ("(key, x, y)", "when GLUT_KEY_UP, GLUT_KEY_F1, ... is pressed"),
+    "SpecialUp": ("(key, x, y)", "when GLUT_KEY_UP, GLUT_KEY_F1, ... is released"),
+    "Mouse": ("(button, state, x, y)", "when GLUT_LEFT_BUTTON, ... gets GLUT_DOWN or GLUT_UP"),
+    "Motion": ("(x, y)", "when the mouse moves with a button down"),
+    "PassiveMotion": ("(x, y)", "when the mouse moves without a button"),
+    "Entry": ("(state)", "when the mouse comes (GLUT_ENTERED) or goes (GLUT_LEFT)"),
+    "Visibility": ("(state)", "when the window is shown (GLUT_VISIBLE) or hidden (GLUT_NOT_VISIBLE)"),
+    "WindowStatus": ("(state)", "when the window is shown or hidden"),
+    "MouseWheel": ("(wheel, direction, x, y)", "when the wheel turns: direction 1 or -1"),
+    "Close": ("()", "when the window is closed"),
+    "WMClose": ("()", "when the window is closed"),
+}  # fmt: skip
 
 
 def _registrar(kind: str) -> Callable[..., None]:
@@ -301,7 +318,9 @@ def _registrar(kind: str) -> Callable[..., None]:
             window.callbacks[kind] = callback
 
     register.__name__ = register.__qualname__ = name
-    register.__doc__ = f"Call ``callback`` for the current window; None for nothing: {kind}."
+    arguments, when = _CALLED_WITH.get(kind, ("", ""))
+    called = f"Call ``callback{arguments}`` of the current window {when}; None: no longer."
+    register.__doc__ = called if when else "Accepted without effect: there are no such events."
     return register
 
 

@@ -1,4 +1,4 @@
-"""Write what follows from the command table, into glsim/gl: ``python -m glsim.machine.generate``.
+"""Write what follows from the command table, into glsim/gl, glu and glut: ``python -m glsim.machine.generate``.
 
 glVertex, glNormal, glColor and glTexCoord are called once a vertex, so their code is written out: each variant
 does nothing but store.  A test checks that the files are what this program writes.
@@ -6,14 +6,11 @@ does nothing but store.  A test checks that the files are what this program writ
 
 from __future__ import annotations
 
-import inspect
-from importlib import import_module
 from pathlib import Path
-from typing import Any
 
-from glsim.machine.commands import COMMANDS, FAMILIES, Command
-from glsim.machine.constants import Enum
+from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.frame import ROW_BYTES
+from glsim.machine.stubs import PYTHON_TYPE, gl_stubs, library_stubs
 
 GL = Path(__file__).parent.parent / "gl"
 HOT = ("glVertex", "glNormal", "glColor", "glTexCoord")
@@ -27,7 +24,6 @@ SCALED = {
     "s": "(2 * {0} + 1) / 65535.0",
     "i": "(2 * {0} + 1) / 4294967295.0",
 }
-PYTHON_TYPE = {"f": "float", "d": "float", "data": "Numbers", "boolean": "bool"}
 
 IMMEDIATE = '''\
 """The commands that are called once a vertex.  Written by ``python -m glsim.machine.generate``; do not edit.
@@ -105,47 +101,6 @@ def immediate() -> str:
     return "\n\n".join([IMMEDIATE, first, *functions])
 
 
-def stubs() -> str:
-    """glsim/gl/__init__.pyi: the signature of every command and the name of every constant."""
-    gl: Any = import_module("glsim.gl")
-
-    lines = [
-        '"""Signatures of the gl commands.  Written by ``python -m glsim.machine.generate``; do not edit."""',
-        "",
-        "from collections.abc import Sequence",
-        "from typing import Any",
-        "",
-        "from glsim.machine.constants import Enum as Enum",
-        "from glsim.machine.errors import GLError as GLError",
-        "from glsim.machine.errors import NoContextError as NoContextError",
-        "",
-        "Numbers = float | Sequence[Any] | Any  # a number, a sequence of numbers, a numpy or ctypes array",
-        "error: type[GLError]",
-        "",
-    ]
-    for name in sorted(name for name in gl.__all__ if name.startswith("GL_")):
-        value = getattr(gl, name)
-        lines.append(f"{name}: {'Enum' if isinstance(value, Enum) else 'int'}")
-    lines.append("")
-    for name in sorted(name for name in gl.__all__ if name.startswith("gl") and callable(getattr(gl, name))):
-        lines.append(stub(name, inspect.signature(getattr(gl, name))))
-    return "\n".join(lines) + "\n"
-
-
-def stub(name: str, signature: inspect.Signature) -> str:
-    command = COMMANDS.get(name)
-    kinds = dict(command.arguments) if command else {}
-    words = []
-    for parameter in signature.parameters.values():
-        if parameter.kind is parameter.VAR_POSITIONAL:
-            words.append(f"*{parameter.name}: Any")
-            continue
-        kind = "Any" if parameter.name not in kinds else PYTHON_TYPE.get(kinds[parameter.name], "int")
-        words.append(f"{parameter.name}: {kind}" + (" = ..." if parameter.default is not parameter.empty else ""))
-    returns = "None" if command and not command.result else "Any"
-    return f"def {name}({', '.join(words)}) -> {returns}: ..."
-
-
 # commands that are there and do not do all they say: why
 INDEX_MODE = "accepted without effect: colour-index mode is not emulated, every context is RGBA"
 NO_FORMAT = "refused with GL_INVALID_ENUM: OpenGL 1.5 names no compressed format, and glsim offers none"
@@ -209,7 +164,9 @@ def main() -> None:
     from glsim.files import write_text
 
     write_text(GL / "immediate.py", immediate())
-    write_text(GL / "__init__.pyi", stubs())
+    write_text(GL / "__init__.pyi", gl_stubs())
+    for library in ("glu", "glut"):
+        write_text(GL.parent / library / "__init__.pyi", library_stubs(library))
     write_text(GL / "SUPPORT.md", support())
 
 
