@@ -87,7 +87,7 @@ def _with_negative_numbers(words: Sequence[str]) -> list[str]:
 
 
 def _parser() -> argparse.ArgumentParser:
-    from glsim import __version__
+    from glsim.version import __version__
     from glsim.radiosity import command
 
     parser = argparse.ArgumentParser(

@@ -90,8 +90,8 @@ def _functions() -> dict[str, Any]:
     for kind in ("Boolean", "Integer", "Float", "Double"):
         functions[f"glGet{kind}"] = functions[f"glGet{kind}v"]
     for function in functions.values():
-        code = function.__code__
-        function.__doc__ = doc(function.__name__, code.co_varnames[: code.co_argcount])
+        named = [word for word, p in inspect.signature(function).parameters.items() if p.kind is not p.VAR_POSITIONAL]
+        function.__doc__ = doc(function.__name__, tuple(named))
     return functions
 
 

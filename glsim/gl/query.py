@@ -331,7 +331,7 @@ def glGetString(m: Machine, name: int) -> bytes:
     if name == gl.GL_RENDERER:
         return f"glsim on {info['renderer']}".encode()
     if name == gl.GL_VERSION:
-        from glsim import __version__
+        from glsim.version import __version__
 
         return f"1.5 glsim {__version__} on OpenGL {info['version']}".encode()
     if name == gl.GL_EXTENSIONS:
