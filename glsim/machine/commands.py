@@ -294,6 +294,7 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command("glIsEnabled", "cap:enum", listed=False, result="boolean")
     yield _command("glGetPointerv", "pname:enum", listed=False, result="data")
     yield _command("glGetString", "name:enum", listed=False, result="data")
+    yield _command("glGetStringi", "name:enum index:ui", listed=False, result="data")  # OpenGL 3.0
     yield _command("glGetError", listed=False, result="enum", inside=True)
     yield _command("glGetClipPlane", "plane:enum", listed=False, result="data")
     yield _get("glGetLight", "i f", "light:enum pname:enum")
