@@ -327,7 +327,9 @@ EXTENSIONS = (
 
 
 # OpenGL 1.5 has no shading language.  Programs of later versions print this string, or compare its number.
-NO_SHADING_LANGUAGE = b"0.0 none: OpenGL 1.5 has no shaders; glsim.program_source() shows the GLSL that glsim draws with"
+NO_SHADING_LANGUAGE = (
+    b"0.0 none: OpenGL 1.5 has no shaders; glsim.program_source() shows the GLSL that glsim draws with"
+)
 
 
 def glGetString(m: Machine, name: int) -> bytes:
