@@ -178,7 +178,7 @@ def c_calls(name: str, arguments: Arguments) -> Iterator[tuple[str, Arguments]]:
     elif name.startswith("glPixelMap") and given.get("values") is None:
         given.update(size=np.size(given["size"]), values=given["size"])
     elif name.startswith("glDelete") and "n" in given:  # glDeleteTextures(names)
-        names = [key for key in given if key != "n"][0]
+        names = next(key for key in given if key != "n")
         if given[names] is None:
             given.update({"n": np.size(given["n"]), names: given["n"]})
     elif name == "glCallLists" and given.get("type") is None:
