@@ -78,7 +78,7 @@ def glPixelStore(m: Machine, pname: int, param: float) -> None:
     if pname not in fields:
         raise invalid_enum("pname", pname, "GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH or another way to store pixels")
     field = fields[pname]
-    value = param != 0.0 if field in ("swap_bytes", "lsb_first") else int(np.floor(param + 0.5))
+    value: Any = param != 0.0 if field in ("swap_bytes", "lsb_first") else int(np.floor(param + 0.5))
     if field == "alignment" and value not in (1, 2, 4, 8):
         raise invalid_value("param", param, "1, 2, 4 or 8")
     if value < 0:

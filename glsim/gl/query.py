@@ -314,7 +314,7 @@ def glGetError(m: Machine) -> int:
 
 
 # glsim's own, and those that became part of OpenGL 1.1 to 1.5
-EXTENSIONS = (
+EXTENSIONS: bytes = (
     b"GL_WIN_phong_shading GL_GLSIM_specular_lobe GL_GLSIM_back_lighting GL_ARB_depth_texture "
     b"GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_point_parameters GL_ARB_shadow GL_ARB_texture_border_clamp "
     b"GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar "

@@ -185,6 +185,8 @@ def c_calls(name: str, arguments: Arguments) -> Iterator[tuple[str, Arguments]]:
         lists = raw_bytes(given["n"])
         lists = np.asarray(given["n"]) if lists is None else lists
         given.update(n=lists.size, type=GL_UNSIGNED_INT, lists=lists)
+    elif name == "glPolygonStipple" and np.size(given["mask"]) == 1024:  # ones and zeros
+        given.update(mask=np.packbits(np.reshape(given["mask"], (32, 32)) != 0, axis=1))
     elif name == "glBufferData" and given.get("usage") is None:
         given.update(size=None, data=given["size"], usage=given["data"])
     elif name == "glBufferSubData" and given.get("data") is None:
@@ -231,7 +233,7 @@ def _element(command: Command, parameter: str, kind: Any) -> Any:
         return None
     if kind in PACKED:
         return PACKED[kind][0]
-    return DTYPES.get(SUFFIXES[command.type] if command.type else kind, np.float32)  # type: ignore[call-overload]
+    return DTYPES.get(SUFFIXES[command.type] if command.type else kind, np.float32)
 
 
 def memory(value: Any, dtype: Any) -> NDArray[Any]:
@@ -241,6 +243,4 @@ def memory(value: Any, dtype: Any) -> NDArray[Any]:
         return array
     if dtype is None and not hasattr(value, "dtype"):
         dtype = np.float32
-    if np.size(value) == 1024 and dtype == np.uint8:  # PyOpenGL's ones and zeros of a stipple
-        return np.packbits(np.reshape(value, (32, 32)) != np.uint8(0), axis=1)
     return np.ascontiguousarray(value, dtype)
