@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
-from functools import cache
+from functools import cache, wraps
 from typing import Any
 
 import numpy as np
@@ -19,7 +19,7 @@ from glsim.gl.arguments import again, numbers, signed_colour
 from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
-from glsim.machine.errors import MISUSE, GLError
+from glsim.machine.errors import MISUSE, GLError, is_a_sentence, show
 from glsim.machine.types import SUFFIXES
 
 Function = Callable[..., Any]
@@ -255,4 +255,20 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
             made[f"{name}{suffix}"] = _typed_image(functions[name], gl_type, leading)
     for name, function in made.items():
         function.__name__ = function.__qualname__ = name
+        made[name] = _explained(function)
     return made
+
+
+def _explained(function: Function) -> Function:
+    """The function with a sentence where NumPy has no use for its array."""
+
+    @wraps(function)
+    def call(*arguments: Any, **named: Any) -> Any:
+        try:
+            return function(*arguments, **named)
+        except MISUSE as error:
+            if is_a_sentence(error) or not arguments:
+                raise
+            raise TypeError(f"{function.__name__}: an array of numbers is needed, not {show(arguments[-1])}") from None
+
+    return call

@@ -15,7 +15,7 @@ from glsim.gl.pixels import BIASES, MAX_PIXEL_MAP_TABLE, SCALES
 from glsim.gl.raster import LARGEST_LINE, LARGEST_POINT
 from glsim.gl.select import MAX_NAME_STACK_DEPTH, render_mode
 from glsim.machine import constants as gl
-from glsim.machine.errors import invalid_enum
+from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.machine import ATTRIB_STACK_DEPTH, MAX_LIST_NESTING, STACK_DEPTH, Machine
 from glsim.machine.pixels import MAPS, PACK_FIELDS, UNPACK_FIELDS
 from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS, TEXTURE_UNITS
@@ -30,7 +30,7 @@ COLOURS = {
     gl.GL_DEPTH_CLEAR_VALUE, gl.GL_DEPTH_RANGE, gl.GL_CURRENT_SECONDARY_COLOR,
     gl.GL_AMBIENT, gl.GL_DIFFUSE, gl.GL_SPECULAR, gl.GL_EMISSION, gl.GL_FOG_COLOR, gl.GL_BLEND_COLOR,
     gl.GL_TEXTURE_ENV_COLOR, gl.GL_TEXTURE_BORDER_COLOR,
-    gl.GL_ALPHA_TEST_REF,
+    gl.GL_ALPHA_TEST_REF, gl.GL_CURRENT_RASTER_COLOR, gl.GL_ACCUM_CLEAR_VALUE,
 }  # fmt: skip
 
 
@@ -202,6 +202,9 @@ GETTERS: dict[int, Getter] = {
     gl.GL_MAX_ATTRIB_STACK_DEPTH: lambda m: ATTRIB_STACK_DEPTH,
     gl.GL_CLIENT_ATTRIB_STACK_DEPTH: lambda m: len(m.client_attrib_stack),
     gl.GL_MAX_CLIENT_ATTRIB_STACK_DEPTH: lambda m: ATTRIB_STACK_DEPTH,
+    gl.GL_MAJOR_VERSION: lambda m: 1,
+    gl.GL_MINOR_VERSION: lambda m: 5,
+    gl.GL_NUM_EXTENSIONS: lambda m: len(EXTENSIONS.split()),
     gl.GL_LIST_BASE: lambda m: m.list_base,
     gl.GL_MAX_LIST_NESTING: lambda m: MAX_LIST_NESTING,
 }
@@ -311,7 +314,7 @@ def glGetError(m: Machine) -> int:
 
 
 # glsim's own, and those that became part of OpenGL 1.1 to 1.5
-EXTENSIONS = (
+EXTENSIONS: bytes = (
     b"GL_WIN_phong_shading GL_GLSIM_specular_lobe GL_GLSIM_back_lighting GL_ARB_depth_texture "
     b"GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_point_parameters GL_ARB_shadow GL_ARB_texture_border_clamp "
     b"GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar "
@@ -320,6 +323,12 @@ EXTENSIONS = (
     b"GL_EXT_blend_subtract GL_EXT_draw_range_elements GL_EXT_fog_coord GL_EXT_multi_draw_arrays GL_EXT_packed_pixels "
     b"GL_EXT_rescale_normal GL_EXT_secondary_color GL_EXT_separate_specular_color GL_EXT_stencil_wrap GL_EXT_texture3D "
     b"GL_EXT_texture_lod_bias GL_SGIS_generate_mipmap GL_SGIS_texture_edge_clamp GL_SGIS_texture_lod"
+)
+
+
+# OpenGL 1.5 has no shading language.  Programs of later versions print this string, or compare its number.
+NO_SHADING_LANGUAGE = (
+    b"0.0 none: OpenGL 1.5 has no shaders; glsim.program_source() shows the GLSL that glsim draws with"
 )
 
 
@@ -336,4 +345,16 @@ def glGetString(m: Machine, name: int) -> bytes:
         return f"1.5 glsim {__version__} on OpenGL {info['version']}".encode()
     if name == gl.GL_EXTENSIONS:
         return EXTENSIONS
+    if name == gl.GL_SHADING_LANGUAGE_VERSION:
+        return NO_SHADING_LANGUAGE
     raise invalid_enum("name", name, "GL_VENDOR, GL_RENDERER, GL_VERSION or GL_EXTENSIONS")
+
+
+def glGetStringi(m: Machine, name: int, index: int) -> bytes:
+    """The extensions one by one, from 0 to GL_NUM_EXTENSIONS - 1."""
+    if name != gl.GL_EXTENSIONS:
+        raise invalid_enum("name", name, "GL_EXTENSIONS")
+    names = EXTENSIONS.split()
+    if not 0 <= index < len(names):
+        raise invalid_value("index", index, f"from 0 to {len(names) - 1}")
+    return names[int(index)]

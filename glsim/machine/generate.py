@@ -105,6 +105,7 @@ def immediate() -> str:
 INDEX_MODE = "accepted without effect: colour-index mode is not emulated, every context is RGBA"
 NO_FORMAT = "refused with GL_INVALID_ENUM: OpenGL 1.5 names no compressed format, and glsim offers none"
 REMARKS = {
+    "glGetStringi": "supported, though of OpenGL 3.0: programs ask for the extensions one by one",
     "glHint": "accepted without effect: there is one way to draw everything",
     "glPrioritizeTextures": "accepted without effect: every texture is resident",
     "glIndex": INDEX_MODE, "glIndexPointer": INDEX_MODE, "glIndexMask": INDEX_MODE, "glClearIndex": INDEX_MODE,
@@ -135,6 +136,16 @@ Where Mesa 22.3.6 and the specification of OpenGL 1.5 disagree, glsim does what 
 - A shininess of 0 gives a highlight wherever there is light; Mesa drops it where N.H < 0 and for attenuated lights.
 - glDrawPixels with GL_MAP_COLOR gets blue by none of the maps, and looks up other entries than the rounded ones;
   GL_INDEX_SHIFT has no effect on it.
+- In a display list, an attribute that is set for the first time after the first triangle of a glBegin keeps, for the
+  triangle it is set in, the value from before.
+- After GL_COMPILE_AND_EXECUTE the current colour is not the one that glColor set between glBegin and glEnd after the
+  last vertex, and a command that is illegal there raises no error.
+- Pixel rectangles are not fogged, get no secondary colour, and the texture matrix of their glRasterPos has no effect.
+- The sum of primary and secondary colour is not clamped to 1 before fog.
+- glPopAttrib(GL_FOG_BIT) leaves GL_COLOR_SUM as it is, glPopAttrib(GL_ENABLE_BIT) the lights GL_LIGHTi.
+- Where the 2D texture of a unit is incomplete, an enabled 1D texture is drawn in its place.
+- Bitmaps that overlap pass the stencil test, and change the stencil buffer, once.
+- glAccum under GLX goes through an sRGB view: GL_RETURN with 0.5 gives 92 where half of 128 is 64.
 
 Not specified, and done as Mesa does: how a quad is cut into triangles; which pixels a point between pixels covers.
 """

@@ -170,7 +170,7 @@ class Characters(bytearray):
         return self.decode("latin-1")
 
     def tolist(self) -> list[str]:
-        return list(self)
+        return list(map(chr, bytes(self)))
 
 
 def _as_bytes(characters: Any) -> bytes:

@@ -97,6 +97,13 @@ def release_abandoned() -> None:
             opened.release()
 
 
+def _checked_size(call: str, width: int, height: int) -> tuple[int, int]:
+    for name, value in (("width", width), ("height", height)):
+        if not isinstance(value, (int, np.integer)) or not 1 <= value <= LARGEST:
+            raise ValueError(f"{call}: {name} must be an integer from 1 to {LARGEST}, not {value!r}")
+    return int(width), int(height)
+
+
 class Offscreen:
     """A context of its own that draws without a window.  Make one with ``glsim.offscreen``.
 
@@ -110,10 +117,7 @@ class Offscreen:
         self.double_buffered = False  # what glGet(GL_DOUBLEBUFFER) says
         refuse_fork()
         release_abandoned()
-        for name, value in (("width", width), ("height", height)):
-            if not isinstance(value, (int, np.integer)) or not 1 <= value <= LARGEST:
-                raise ValueError(f"glsim.offscreen: {name} must be an integer from 1 to {LARGEST}, not {value!r}")
-        self.width, self.height = int(width), int(height)
+        self.width, self.height = _checked_size("glsim.offscreen", width, height)
         before = current_machine()
         self._before = weakref.ref(before) if isinstance(before, Machine) else None
         self._previous: list[Any] = []
@@ -307,12 +311,13 @@ class Offscreen:
     def resize(self, width: int, height: int) -> None:
         """Another size; the picture is black afterwards, all state stays."""
         self.check()
+        width, height = _checked_size("resize", width, height)
         self.machine.flush()
         with uninterrupted(), self.ctx:
             for depth in self._depths:  # moderngl's objects go when they are replaced
                 self._raw.glDeleteRenderbuffers(1, ctypes.byref(depth))
             self._depths.clear()
-            self.width, self.height = int(width), int(height)
+            self.width, self.height = width, height
             self._target = self._framebuffer(self.samples)
             self._resolved = self._framebuffer(0) if self.samples else self._target
             self._renderer.resize((self.width, self.height))

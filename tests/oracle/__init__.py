@@ -1,6 +1,7 @@
 """Programs that are drawn by glsim and by the driver's own fixed function, and compared."""
 
 from tests.oracle import (  # noqa: F401  they add to PROGRAMS
+    form_programs,
     fragment_programs,
     line_programs,
     list_programs,

@@ -1,4 +1,4 @@
-"""Beyond the edges of textures: every way to wrap with every filter, in one, two and three dimensions; border colours."""
+"""Beyond the edges of textures: every way to wrap with every filter, in all dimensions; border colours."""
 
 from __future__ import annotations
 
