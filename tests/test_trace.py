@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import glsim
@@ -14,7 +15,7 @@ from glsim.gl import *
 from glsim.glu import gluLookAt, gluPerspective
 from glsim.glut.shapes import glutSolidCube
 from glsim.play.capture import capture
-from glsim.study.mistakes import DIAGNOSES
+from glsim.study.mistakes import CHECKED, DIAGNOSES
 
 Program = Callable[[bool], None]
 BAD: dict[str, Program] = {}
@@ -136,6 +137,27 @@ def stale(mended: bool) -> None:
     glRectf(-0.5, -0.5, 0.5, 0.5)
 
 
+@mistake("normals-zero")
+def no_direction(mended: bool) -> None:
+    lit()
+    glNormal3f(0, 0, 1 if mended else 0)
+    glRectf(-0.5, -0.5, 0.5, 0.5)
+
+
+@mistake("up-along-view")
+def from_above(mended: bool) -> None:
+    gluLookAt(0, 0.5, 0, 0, 0, 0, *((0, 0, -1) if mended else (0, 1, 0)))
+    lit()
+    glutSolidCube(0.5)
+
+
+@mistake("position-of-three")
+def three_numbers(mended: bool) -> None:
+    lit()
+    glLightfv(GL_LIGHT0, GL_POSITION, (1, 2, 3, 1) if mended else (1, 2, 3))
+    glutSolidCube(0.5)
+
+
 def kinds(program: Program, mended: bool) -> list[str]:
     with capture(calls=True) as frame:
         program(mended)
@@ -159,7 +181,72 @@ def test_a_diagnosis_is_silent_on_the_mended_program(kind: str, screen: glsim.Of
 
 
 def test_every_diagnosis_is_tested() -> None:
-    assert {*BAD, "error"} == set(DIAGNOSES)
+    assert {*BAD, "error"} == set(DIAGNOSES) == set(CHECKED)
+
+
+@pytest.mark.parametrize("slices", [3, 4, 5, 6, 7, 8, 10, 12, 16, 24])
+def test_coarse_spheres_lose_their_highlight(slices: int) -> None:
+    assert [entry.kind for entry in glsim.trace(f"sphere:{slices}").mistakes] == ["highlight-lost"]
+
+
+@pytest.mark.parametrize("slices", [64, 96])
+def test_fine_spheres_keep_it(slices: int) -> None:
+    assert glsim.trace(f"sphere:{slices}").mistakes == []
+
+
+def test_a_camera_at_the_point_it_looks_at(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        gluLookAt(0, 0, 1, 0, 0, 1, 0, 1, 0)
+        lit()
+        glutSolidCube(0.5)
+    (found,) = glsim.trace(frame).mistakes
+    assert found.kind == "up-along-view"
+    assert found.sentence.startswith("gluLookAt(0, 0, 1, 0, 0, 1, 0, 1, 0): up is parallel")
+
+
+def test_a_matrix_that_flattens(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        lit()
+        glScalef(0, 0, 0)
+        glNormal3f(0, 0, 1)
+        glRectf(-0.5, -0.5, 0.5, 0.5)
+    (found,) = glsim.trace(frame).mistakes
+    assert "the modelview matrix flattens the scene" in found.sentence
+
+
+def test_three_numbers_where_the_memory_goes_on(screen: glsim.Offscreen) -> None:
+    """PyOpenGL passes the array's address on, and the driver reads the number behind it; here it is 0."""
+    with capture(calls=True) as frame:
+        glLightfv(GL_LIGHT0, GL_POSITION, np.array([1, 2, 3, 99], np.float32)[:3])
+        glLight(GL_LIGHT1, GL_POSITION, (1, 2, 3))
+        glLightfv(GL_LIGHT2, GL_SPOT_DIRECTION, (0, 0, -1))
+    assert glGetLightfv(GL_LIGHT0, GL_POSITION).tolist() == [1, 2, 3, 0]
+    found = glsim.trace(frame).mistakes
+    assert [entry.kind for entry in found] == ["position-of-three"] * 2
+    assert "GL_LIGHT1 has three numbers" in found[1].sentence
+
+
+def test_colours_that_lighting_ignores_are_named(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glColor3f(1, 0, 0)  # 0: seen
+        glRectf(-1, -1, 0, 0)
+        lit()
+        glColor3f(0, 1, 0)  # ignored by the first, seen by the second
+        glRectf(-1, -1, 0, 0)
+        glDisable(GL_LIGHTING)
+        glRectf(-1, -1, 0, 0)
+        glEnable(GL_LIGHTING)
+        glColor3f(0, 0, 1)  # ignored
+        glRectf(-1, -1, 0, 0)
+        glColor3f(0, 1, 1)  # kept for the raster position
+        glRectf(-1, -1, 0, 0)
+        glWindowPos2i(3, 3)
+        glEnable(GL_COLOR_MATERIAL)
+        glColor3f(1, 1, 1)  # the material
+        glRectf(-1, -1, 0, 0)
+    noted = [entry.text for entry in glsim.trace(frame).entries if entry.note]
+    assert noted == ["glColor3f(0, 0, 1)"]
+    assert "glColor has no effect: GL_LIGHTING is on" in next(e.note for e in glsim.trace(frame).entries if e.note)
 
 
 @pytest.mark.parametrize("angle", [math.radians(30), math.pi, 1.5708, -0.785, math.radians(45) * 3, math.radians(17)])
