@@ -99,7 +99,7 @@ class Machine:
         "accum_clear", "alpha", "array_buffer", "attrib_stack", "begin_material", "blue", "buffers", "busy",
         "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling",
         "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest",
-        "list_base", "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store", "packets",
+        "limits", "list_base", "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store", "packets",
         "pixel", "projection", "queries", "raster", "recorder", "red", "selection", "several_texture_matrices", "stack",
         "stacks", "stream", "texcoord", "texture_names", "texture_stacks", "textures", "tracks", "unpack_store",
         "write", "__weakref__",
@@ -112,6 +112,7 @@ class Machine:
         self.device = device
         self.capturing: Frame | None = None
         self.change: Callable[[Draw], Draw] | None = None  # made of every Draw: another shade model, say
+        self.limits: Callable[[Packet], Packet] | None = None  # what a window that lacks buffers makes of every packet
         self.recorder: Callable[[str, tuple[Any, ...]], Any] | None = None
         self.reset()
 
@@ -270,6 +271,8 @@ class Machine:
         if self.collector is not None:
             self.collector(packets)
             return
+        if self.limits is not None:
+            packets = [self.limits(packet) for packet in packets]
         if self.change is not None:
             packets = [self.change(packet) if type(packet) is Draw else packet for packet in packets]
         if self.capturing is not None:

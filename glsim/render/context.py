@@ -76,6 +76,7 @@ class Offscreen:
     def __init__(self, width: int, height: int, samples: int = 0, backend: str = "auto") -> None:
         self._released = False
         self.double_buffered = False  # what glGet(GL_DOUBLEBUFFER) says
+        self.depth_bits, self.stencil_bits = 24, 8  # 0 if the program is to find none
         release_abandoned()
         for name, value in (("width", width), ("height", height)):
             if not isinstance(value, (int, np.integer)) or not 1 <= value <= LARGEST:
@@ -235,6 +236,8 @@ class Offscreen:
             "version": info["GL_VERSION"],
             "samples": self.samples,
             "double": self.double_buffered,
+            "depth_bits": self.depth_bits,
+            "stencil_bits": self.stencil_bits,
         }
 
     # ------------------------------------------------------------ pictures
