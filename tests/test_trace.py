@@ -209,7 +209,7 @@ glutMainLoop()
 def test_buffers_that_were_not_asked_for(
     mode: str, bits: str, at_30: tuple[int, ...], at_50: tuple[int, ...], missing: set[tuple[int, str]], tmp_path: Path
 ) -> None:
-    """As freeglut and Mesa: GLUT_STENCIL brings depth along; a test without its buffer has no effect, and that is said."""
+    """As freeglut and Mesa: GLUT_STENCIL brings depth along; a test without its buffer has no effect, which is said."""
     script = tmp_path / "buffers.py"
     script.write_text(WITHOUT_BUFFERS.replace("MODE", mode))
     record = run(Plan(str(script), out=str(tmp_path), count=True))

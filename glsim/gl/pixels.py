@@ -289,7 +289,9 @@ def glReadPixels(
         raise invalid_operation("glReadBuffer(GL_NONE) left no colours to read")
     for buffer, wanted in (("depth", GL_DEPTH_COMPONENT), ("stencil", GL_STENCIL_INDEX)):
         if format == wanted and m.device.describe().get(f"{buffer}_bits") == 0:
-            raise invalid_operation(f"the window has no {buffer} buffer: add GLUT_{buffer.upper()} to glutInitDisplayMode")
+            raise invalid_operation(
+                f"the window has no {buffer} buffer: add GLUT_{buffer.upper()} to glutInitDisplayMode"
+            )
     rectangle = int(x), int(y), int(width), int(height)
     m.flush()
     if format == GL_DEPTH_COMPONENT:

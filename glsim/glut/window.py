@@ -47,7 +47,10 @@ class Window:
         self.data: Any = None
         self.screen = Offscreen(*size, samples=SAMPLES if mode & MULTISAMPLE else 0)
         self.screen.double_buffered = self.double
-        self.screen.depth_bits, self.screen.stencil_bits = 24 if mode & (DEPTH | STENCIL) else 0, 8 if mode & STENCIL else 0
+        self.screen.depth_bits, self.screen.stencil_bits = (
+            24 if mode & (DEPTH | STENCIL) else 0,
+            8 if mode & STENCIL else 0,
+        )
         self.screen.machine.limits = self._limited if not mode & STENCIL else None
         self.notes: list[str] = []  # what is to be said
         self.said: set[str] = set()

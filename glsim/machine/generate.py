@@ -183,9 +183,9 @@ Notes:
 - GL_POLYGON_SMOOTH is accepted and drawn without smoothing, as Mesa does; `glsim.offscreen(samples=4)` smooths all.
 - Wide and stippled lines may differ from a driver's by a pixel at their ends and where a pattern changes.
 - A GLUT window has a depth and a stencil buffer only if glutInitDisplayMode asks for them, as with freeglut and Mesa:
-  else the tests have no effect, GL_DEPTH_BITS is 0, and `glsim run` and `glsim trace` say so. GLUT_STENCIL brings a depth
-  buffer along; without glutInitDisplayMode there is a depth buffer. Alpha and the accumulation buffer are always there.
-  Windows of pygame and glfw, and `glsim.offscreen`, have all buffers.
+  else the tests have no effect, GL_DEPTH_BITS is 0, and `glsim run` and `glsim trace` say so. GLUT_STENCIL brings a
+  depth buffer along; without glutInitDisplayMode there is a depth buffer. Alpha and the accumulation buffer are always
+  there. Windows of pygame and glfw, and `glsim.offscreen`, have all buffers.
 - Generic compressed formats (GL_COMPRESSED_RGB, ...) are stored uncompressed, as the specification allows.
 - Internal formats of less or more than 8 bits are stored with 8; depth textures with 24.
 
@@ -207,7 +207,8 @@ Where Mesa 22.3.6 and the specification of OpenGL 1.5 disagree, glsim does what 
   GL_INDEX_SHIFT has no effect on it.
 
 Done as Mesa does, against section 2.11: edges that clipping by the view volume introduces are not boundary edges. They
-would frame every picture of outlines, and no driver draws them. What glClipPlane introduces is drawn in GL_LINE and GL_POINT.
+would frame every picture of outlines, and Mesa draws none. What glClipPlane introduces is drawn in GL_LINE and
+GL_POINT.
 
 Not specified, and done as Mesa does: how a quad is cut into triangles; which pixels a point between pixels covers.
 """

@@ -99,9 +99,9 @@ class Machine:
         "accum_clear", "alpha", "array_buffer", "attrib_stack", "begin_material", "blue", "buffers", "busy",
         "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling",
         "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest",
-        "limits", "list_base", "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store", "packets",
-        "pixel", "projection", "queries", "raster", "recorder", "red", "selection", "several_texture_matrices", "stack",
-        "stacks", "stream", "texcoord", "texture_names", "texture_stacks", "textures", "tracks", "unpack_store",
+        "limits", "list_base", "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store",
+        "packets", "pixel", "projection", "queries", "raster", "recorder", "red", "selection", "several_texture_matrices",
+        "stack", "stacks", "stream", "texcoord", "texture_names", "texture_stacks", "textures", "tracks", "unpack_store",
         "write", "__weakref__",
         # groups of state
         "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",

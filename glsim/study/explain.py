@@ -94,7 +94,7 @@ def explain(what: Any, draw: int | None = None, **options: Any) -> list[Explanat
 
 
 def program_keys(frame: Frame) -> list[ProgramKey]:
-    """For each Draw of a frame the key of the program that draws it: if it is drawn in several parts, the first one's."""
+    """For each Draw of a frame the key of the program that draws it; of its first part, if it is drawn in several."""
     draws = list(frame.draws)
     keys: dict[int, ProgramKey] = {}
     numbers = count()

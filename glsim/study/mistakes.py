@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.stage import illumination, vertex_stage, window
 from glsim.machine.assembly import corners
 from glsim.machine.constants import (
     GL_ALWAYS,
@@ -20,6 +19,7 @@ from glsim.machine.constants import (
     GL_SMOOTH,
 )
 from glsim.machine.frame import Call, Draw, Frame, Moment, Where
+from glsim.machine.stage import illumination, vertex_stage, window
 from glsim.render.batch import assembled
 from glsim.shading import normalize
 from glsim.study.provenance import BEFORE, Path, Provenance, call_text
@@ -47,9 +47,11 @@ DIAGNOSES = {
     "matrix-stack": "this glPushMatrix has no glPopMatrix: if that is so in each frame, the stack overflows",
     "depth-not-cleared": "GL_DEPTH_TEST is on, but this glClear leaves the depth buffer as it is: the next frame is"
     " hidden behind this one; add GL_DEPTH_BUFFER_BIT",
-    "projection-in-modelview": "{call} is in the modelview matrix: lighting, fog and clip planes see positions and normals"
-    " that perspective has bent; call glMatrixMode(GL_PROJECTION) before it, and glMatrixMode(GL_MODELVIEW) after it",
-    "missing-buffer": "{test} has no effect, because the window has no {buffer} buffer: add {flag} to glutInitDisplayMode",
+    "projection-in-modelview": "{call} is in the modelview matrix: lighting, fog and clip planes see positions and"
+    " normals that perspective has bent; call glMatrixMode(GL_PROJECTION) before it, and glMatrixMode(GL_MODELVIEW)"
+    " after it",
+    "missing-buffer": "{test} has no effect, because the window has no {buffer} buffer: add {flag} to"
+    " glutInitDisplayMode",
     "error": "{error}",
 }
 
