@@ -100,9 +100,9 @@ class Machine:
         "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling",
         "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest",
         "limits", "list_base", "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store",
-        "packets", "pixel", "projection", "queries", "raster", "recorder", "red", "selection", "several_texture_matrices",
-        "stack", "stacks", "stream", "texcoord", "texture_names", "texture_stacks", "textures", "tracks", "unpack_store",
-        "write", "__weakref__",
+        "packets", "pixel", "projection", "queries", "raster", "recorder", "red", "selection",
+        "several_texture_matrices", "stack", "stacks", "stream", "texcoord", "texture_names", "texture_stacks",
+        "textures", "tracks", "unpack_store", "write", "__weakref__",
         # groups of state
         "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",
         "polygon_stipple", "scissor", "stencil", "texture", "transform", "viewport",

@@ -39,8 +39,8 @@ TRACKED: dict[int, tuple[str, ...]] = {
 
 
 class Stage(NamedTuple):
-    """Vertices after transformation and lighting: eye and clip coordinates (n, 4); the point that is lit and the normal,
-    in eye space (n, 3); current colours and colours of both sides (n, 4), highlight apart (n, 3); texture
+    """Vertices after transformation and lighting: eye and clip coordinates (n, 4); the lit point and the normal in
+    eye space (n, 3); current colours and colours of both sides (n, 4), highlight apart (n, 3); texture
     coordinates by unit (n, 4)."""
 
     eye: Float

@@ -129,7 +129,7 @@ def _face(
     yield part
     planes = _planes(draw, rings, mode)
     outside = planes < 0.0
-    cut = np.flatnonzero(outside.any(axis=(1, 2)) & ~outside.all(axis=1).any(axis=1))
+    cut = np.flatnonzero(np.any(outside, axis=(1, 2)) & ~np.any(np.all(outside, axis=1), axis=1))
     if len(cut):
         source = np.repeat(provoking[cut], rings.shape[1])
         whole = _part(draw, GL_POINTS, rings[cut].ravel(), source, state, front)
