@@ -127,6 +127,8 @@ def _face(
     if offsets is not None:
         part.block.columns["depth_offset"] = offsets[each, None]
     yield part
+    if mode == GL_LINE and not any(state.transform.clip_enabled):
+        return
     planes = _planes(draw, rings, mode)
     outside = planes < 0.0
     cut = np.flatnonzero(np.any(outside, axis=(1, 2)) & ~np.any(np.all(outside, axis=1), axis=1))
