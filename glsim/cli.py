@@ -87,8 +87,8 @@ def _with_negative_numbers(words: Sequence[str]) -> list[str]:
 
 
 def _parser() -> argparse.ArgumentParser:
-    from glsim.version import __version__
     from glsim.radiosity import command
+    from glsim.version import __version__
 
     parser = argparse.ArgumentParser(
         prog="glsim", description="OpenGL's fixed-function pipeline, to teach and to learn."

@@ -202,13 +202,13 @@ def test_the_folded_source_has_only_what_runs(screen: glsim.Offscreen) -> None:
 
 
 def drawn_in_all_ways() -> None:
-    """A display list, wide lines, glVertex4, outlines, arrays, merged objects, materials inside: each kind of program."""
+    """A display list, wide lines, glVertex4, outlines, merged objects, materials inside: each kind of program."""
     glNewList(1, GL_COMPILE)
     quad()
     glEndList()
     glCallList(1)
     glColor3f(1, 0, 0)
-    for k in range(3):
+    for _ in range(3):
         glTranslatef(0.1, 0, 0)
         glCallList(1)
     glLineWidth(3)
@@ -219,7 +219,7 @@ def drawn_in_all_ways() -> None:
     glEnable(GL_LINE_STIPPLE)
     quad()
     glRectf(0, 0, 1, 1)
-    for k in range(3):
+    for _ in range(3):
         glRotatef(10, 0, 0, 1)
         quad()
     glEnable(GL_LIGHTING)

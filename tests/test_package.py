@@ -17,7 +17,7 @@ import pytest
 from PIL import Image
 
 import glsim
-from glsim.study.frames import frame_of
+from glsim.play.frames import frame_of
 
 ROOT = Path(__file__).resolve().parent.parent
 

@@ -281,6 +281,11 @@ def glReadPixels(
         raise invalid_enum("type", type, "GL_UNSIGNED_BYTE or another number type")
     if m.pixel.read_buffer == GL_NONE and format not in (GL_DEPTH_COMPONENT, GL_STENCIL_INDEX):
         raise invalid_operation("glReadBuffer(GL_NONE) left no colours to read")
+    for buffer, wanted in (("depth", GL_DEPTH_COMPONENT), ("stencil", GL_STENCIL_INDEX)):
+        if format == wanted and m.device.describe().get(f"{buffer}_bits") == 0:
+            raise invalid_operation(
+                f"the window has no {buffer} buffer: add GLUT_{buffer.upper()} to glutInitDisplayMode"
+            )
     rectangle = int(x), int(y), int(width), int(height)
     m.flush()
     if format == GL_DEPTH_COMPONENT:

@@ -23,7 +23,7 @@ class Settings:
     initialized: bool = False
     place: tuple[int, int] = (-1, -1)
     size: tuple[int, int] = DEFAULT_SIZE
-    mode: int = 0
+    mode: int = NAMES["GLUT_DEPTH"]  # freeglut's, if glutInitDisplayMode is not called
     options: dict[int, int] = field(default_factory=dict)
     game_mode: str = ""
     full_screen_before: dict[int, tuple[int, int]] = field(default_factory=dict)
@@ -445,7 +445,8 @@ def glutGet(state: int) -> int:
     samples = window.screen.samples
     values: dict[str, int] = {
         "WINDOW_X": max(window.place[0], 0), "WINDOW_Y": max(window.place[1], 0), "WINDOW_WIDTH": window.asked[0],
-        "WINDOW_HEIGHT": window.asked[1], "WINDOW_BUFFER_SIZE": 32, "WINDOW_STENCIL_SIZE": 8, "WINDOW_DEPTH_SIZE": 24,
+        "WINDOW_HEIGHT": window.asked[1], "WINDOW_BUFFER_SIZE": 32, "WINDOW_STENCIL_SIZE": window.screen.stencil_bits,
+        "WINDOW_DEPTH_SIZE": window.screen.depth_bits,
         "WINDOW_RED_SIZE": 8, "WINDOW_GREEN_SIZE": 8, "WINDOW_BLUE_SIZE": 8, "WINDOW_ALPHA_SIZE": 8,
         "WINDOW_ACCUM_RED_SIZE": 32, "WINDOW_ACCUM_GREEN_SIZE": 32, "WINDOW_ACCUM_BLUE_SIZE": 32,
         "WINDOW_ACCUM_ALPHA_SIZE": 32, "WINDOW_DOUBLEBUFFER": int(window.double), "WINDOW_RGBA": 1,

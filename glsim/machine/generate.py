@@ -121,6 +121,10 @@ Notes:
 - The texels of a texture border are dropped, as drivers have done for decades.
 - GL_POLYGON_SMOOTH is accepted and drawn without smoothing, as Mesa does; `glsim.offscreen(samples=4)` smooths all.
 - Wide and stippled lines may differ from a driver's by a pixel at their ends and where a pattern changes.
+- A GLUT window has a depth and a stencil buffer only if glutInitDisplayMode asks for them, as with freeglut and Mesa:
+  else the tests have no effect, GL_DEPTH_BITS is 0, and `glsim run` and `glsim trace` say so. GLUT_STENCIL brings a
+  depth buffer along; without glutInitDisplayMode there is a depth buffer. Alpha and the accumulation buffer are always
+  there. Windows of pygame and glfw, and `glsim.offscreen`, have all buffers.
 - Generic compressed formats (GL_COMPRESSED_RGB, ...) are stored uncompressed, as the specification allows.
 - Internal formats of less or more than 8 bits are stored with 8; depth textures with 24.
 
@@ -133,6 +137,10 @@ Where Mesa 22.3.6 and the specification of OpenGL 1.5 disagree, glsim does what 
 - Normal arrays of GL_BYTE map by OpenGL 4.2's rule c / 127.
 - Smooth points are hard discs; smooth lines get thinner with perspective; GL_LINE_RESET_TOKEN never comes.
 - Bitmaps are not fogged, overlapping bitmaps blend once, and textured ones take the last raster position's coordinates.
+- With gluPerspective in the modelview matrix, lighting takes eye coordinates without the division by w (2.14.1), and
+  normals by a part of the inverse of the whole matrix, where 2.11.3 allows the inverse of its part or the plane's q.
+- In a stippled strip each line counts up to the next whole pixel, instead of its fragments.
+- A clipped quad or polygon in GL_POINT has points where its diagonals are cut.
 - A shininess of 0 gives a highlight wherever there is light; Mesa drops it where N.H < 0 and for attenuated lights.
 - glDrawPixels with GL_MAP_COLOR gets blue by none of the maps, and looks up other entries than the rounded ones;
   GL_INDEX_SHIFT has no effect on it.
@@ -146,6 +154,10 @@ Where Mesa 22.3.6 and the specification of OpenGL 1.5 disagree, glsim does what 
 - Where the 2D texture of a unit is incomplete, an enabled 1D texture is drawn in its place.
 - Bitmaps that overlap pass the stencil test, and change the stencil buffer, once.
 - glAccum under GLX goes through an sRGB view: GL_RETURN with 0.5 gives 92 where half of 128 is 64.
+
+Done as Mesa does, against section 2.11: edges that clipping by the view volume introduces are not boundary edges. They
+would frame every picture of outlines, and Mesa draws none. What glClipPlane introduces is drawn in GL_LINE and
+GL_POINT.
 
 Not specified, and done as Mesa does: how a quad is cut into triangles; which pixels a point between pixels covers.
 """

@@ -104,10 +104,10 @@ class Machine:
         "accum_clear", "alpha", "array_buffer", "attrib_stack", "begin_material", "blue", "buffers", "busy",
         "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling",
         "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest",
-        "list_base", "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store", "packets",
-        "pixel", "projection", "queries", "raster", "recorder", "red", "selection", "several_texture_matrices", "stack",
-        "stacks", "stream", "texcoord", "texture_names", "texture_stacks", "textures", "thread", "tracks", "unpack_store",
-        "write", "__weakref__",
+        "limits", "list_base", "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store",
+        "packets", "pixel", "projection", "queries", "raster", "recorder", "red", "selection",
+        "several_texture_matrices", "stack", "stacks", "stream", "texcoord", "texture_names", "texture_stacks",
+        "textures", "thread", "tracks", "unpack_store", "write", "__weakref__",
         # groups of state
         "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",
         "polygon_stipple", "scissor", "stencil", "texture", "transform", "viewport",
@@ -118,6 +118,7 @@ class Machine:
         self.thread = get_ident()  # in which it is current
         self.capturing: Frame | None = None
         self.change: Callable[[Draw], Draw] | None = None  # made of every Draw: another shade model, say
+        self.limits: Callable[[Packet], Packet] | None = None  # what a window that lacks buffers makes of every packet
         self.reset()
 
     def reset(self) -> None:
@@ -223,7 +224,9 @@ class Machine:
 
     def begin(self, mode: int) -> None:
         if get_ident() != self.thread:
-            raise NoContextError("no context is current in this thread: each thread opens its own, with glsim.offscreen")
+            raise NoContextError(
+                "no context is current in this thread: each thread opens its own, with glsim.offscreen"
+            )
         self.inside = mode
         self.busy = True
         self.first = self.stream.tell() // ROW_BYTES
@@ -288,6 +291,8 @@ class Machine:
             if self.collector is not None:
                 self.collector(packets)
                 return
+            if self.limits is not None:
+                packets = [self.limits(packet) for packet in packets]
             if self.change is not None:
                 packets = [self.change(packet) if type(packet) is Draw else packet for packet in packets]
             if self.capturing is not None:

@@ -26,6 +26,7 @@ def reshaded(shade: str | None, lobe: str | None) -> Callable[[Draw], Draw] | No
     """What gives a Draw this mode of ``shaded`` and this lobe, whatever the program says; None if it keeps both."""
     if shade is None and lobe is None:
         return None
+
     def change(draw: Draw) -> Draw:
         if shade is None:
             lighting = draw.state.lighting._replace(lobe=LOBE[lobe or "blinn"])

@@ -17,7 +17,9 @@ from glsim.radiosity.scene import Scene, area_of, normal_of
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
-GAP = 1e-5  # of the scene's size: rays begin and end so far in front of patches; what is nearer to a wall does not block
+GAP = (
+    1e-5  # of the scene's size: rays begin and end so far in front of patches; what is nearer to a wall does not block
+)
 EXACT = 1e-6  # of the scene's size: how far a corner of a proven body may be from where it should be
 MOST_BODIES, MOST_PLANES = 48, 24  # more are not worth asking
 MOST_POLYGONS = 4000

@@ -115,6 +115,7 @@ class Offscreen:
     def __init__(self, width: int, height: int, samples: int = 0, backend: str = "auto") -> None:
         self._released = False
         self.double_buffered = False  # what glGet(GL_DOUBLEBUFFER) says
+        self.depth_bits, self.stencil_bits = 24, 8  # 0 if the program is to find none
         refuse_fork()
         release_abandoned()
         self.width, self.height = _checked_size("glsim.offscreen", width, height)
@@ -219,7 +220,6 @@ class Offscreen:
         if self._opened.place() is None:
             self._opened.take()
 
-
     # ------------------------------------------------------------ what the machine asks of its device
 
     def execute(self, packets: list[Packet]) -> None:
@@ -283,6 +283,8 @@ class Offscreen:
             "version": info["GL_VERSION"],
             "samples": self.samples,
             "double": self.double_buffered,
+            "depth_bits": self.depth_bits,
+            "stencil_bits": self.stencil_bits,
         }
 
     # ------------------------------------------------------------ pictures

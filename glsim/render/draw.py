@@ -387,7 +387,9 @@ class Renderer:
         if before is None or (old.viewport, *before[1:]) != (state.viewport, corners, room):  # type: ignore[union-attr]
             x, y, width, height = state.viewport[:4]
             raw.glViewport(x - room, y - room, width + 2 * room, height + 2 * room)
-            self._switch(DEPTH_CLAMP, corners == 2 and room > 0)  # shaders/line.glsl clips wide lines, with all their width
+            self._switch(
+                DEPTH_CLAMP, corners == 2 and room > 0
+            )  # shaders/line.glsl clips wide lines, with all their width
             raw.glDepthRange(*state.viewport[4:])
         if before is None or (old.polygon, before[1]) != (state.polygon, corners):  # type: ignore[union-attr]
             polygon = state.polygon

@@ -55,8 +55,8 @@ def eye_and_clip(draw: Draw, chosen: NDArray[np.uint32]) -> tuple[NDArray[np.flo
     """Positions (n, 4) in eye space and in clip space."""
     evaluate(draw.matrices)
     modelview, projection = (matrix.get()[None] for matrix in draw.matrices[:2])
-    P = positions(draw.block, chosen).astype(np.float64)
-    return P @ modelview[0], np.asarray(P @ multiply(projection, modelview)[0].astype(np.float64))
+    places = positions(draw.block, chosen).astype(np.float64)
+    return places @ modelview[0], np.asarray(places @ multiply(projection, modelview)[0].astype(np.float64))
 
 
 def clip_positions(draw: Draw, chosen: NDArray[np.uint32]) -> NDArray[np.float64]:

@@ -94,15 +94,14 @@ def explain(what: Any, draw: int | None = None, **options: Any) -> list[Explanat
 
 
 def program_keys(frame: Frame) -> list[ProgramKey]:
-    """For each Draw of a frame the key of the program that draws it: if it is drawn in several parts, the first one's."""
+    """For each Draw of a frame the key of the program that draws it; of its first part, if it is drawn in several."""
     draws = list(frame.draws)
-    keys: dict[int, ProgramKey] = {}
+    keys: dict[int | None, ProgramKey] = {}
     numbers = count()
-    for is_draw, group in groupby(frame.packets, key=lambda packet: isinstance(packet, Draw)):
-        run = []
-        for draw in group if is_draw else ():
-            run.append(draw.with_state(draw.state))
-            run[-1].call = next(numbers)  # by which its parts are known
+    for _, group in groupby(frame.packets, key=type):
+        run = [packet.with_state(packet.state) for packet in group if isinstance(packet, Draw)]
+        for draw in run:
+            draw.call = next(numbers)  # by which its parts are known
         for plan in plans(list(prepare(run)), MOST_OBJECTS)[1]:
             for batch in plan.batches:
                 key = draw_key(batch.draws[0], MOST_OBJECTS if plan.several(batch) else 1)

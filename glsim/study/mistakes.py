@@ -60,6 +60,11 @@ DIAGNOSES = {
     "depth-not-cleared": "GL_DEPTH_TEST is on, but this glClear leaves the depth buffer as it is: the next frame is"
     " hidden behind this one; add GL_DEPTH_BUFFER_BIT",
     "surplus": "{call}: {name} takes {count} ({names}) and ignores what comes after{other}",
+    "projection-in-modelview": "{call} is in the modelview matrix: lighting, fog and clip planes see positions and"
+    " normals that perspective has bent; call glMatrixMode(GL_PROJECTION) before it, and glMatrixMode(GL_MODELVIEW)"
+    " after it",
+    "missing-buffer": "{test} has no effect, because the window has no {buffer} buffer: add {flag} to"
+    " glutInitDisplayMode",
     "error": "{error}",
 }
 
@@ -79,6 +84,9 @@ CHECKED = {
     "radians": "glRotate with radians",
     "matrix-stack": "glPushMatrix without glPopMatrix",
     "depth-not-cleared": "GL_DEPTH_TEST with a depth buffer that is never cleared",
+    "surplus": "arguments that a command ignores",
+    "projection-in-modelview": "gluPerspective, glFrustum or glOrtho in the modelview matrix",
+    "missing-buffer": "a depth or stencil test without its buffer",
     "error": "an error that ends the program",
 }
 
@@ -167,13 +175,22 @@ class Detector:
 
     # ------------------------------------------------------------ draws
 
-    def draw(self, draw: Draw, provenance: Provenance) -> Iterator[Mistake]:
+    def draw(self, draw: Draw, provenance: Provenance, after: Moment) -> Iterator[Mistake]:
+        """after: what the program has set; the state of a Draw in a window without a buffer has no test."""
         state, call = draw.state, draw.call or 0
+        for kind in ("depth", "stencil"):
+            if getattr(after.state, kind).test and not getattr(state, kind).test:
+                test, flag = f"GL_{kind.upper()}_TEST", f"GLUT_{kind.upper()}"
+                setter = provenance.setters.get((kind, "test"), call)
+                yield self._mistake("missing-buffer", setter, test=test, buffer=kind, flag=flag)
         if state.depth.test and state.depth.func != GL_ALWAYS and self.clear is not None and not self._together():
             self.stale = self.clear
         chosen = assembled(draw)
         if not state.lighting.enabled or not len(chosen):
             return
+        if np.any(draw.matrices[0].get()[:, 3] != (0.0, 0.0, 0.0, 1.0)):
+            yield from self._perspective(call, provenance)
+            return  # what else is strange about the lighting comes of it
         if self._without_normals(draw, chosen, provenance):
             yield self._mistake("lighting-without-normals", call)
         else:
@@ -198,6 +215,14 @@ class Detector:
         triangles = draw.block.rows[chosen.reshape(-1, 3)[:MOST], :3].astype(np.float64)
         faces = normalize(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]))
         return bool(((np.abs(faces[:, 2]) < 0.99) & faces.any(axis=1)).any())
+
+    def _perspective(self, draw: int, provenance: Provenance) -> Iterator[Mistake]:
+        """The modelview makes a w that is not 1: by the first gluPerspective or glFrustum in it, or another matrix."""
+        chain = [call for call in provenance.chains["modelview"][-1] if call != BEFORE]
+        named = [(_via(self.frame.calls[call]) or self.frame.calls[call].name, call) for call in chain]
+        guilty = [(name, call) for name, call in named if name.startswith(("gluPerspective", "glFrustum"))]
+        name, call = guilty[0] if guilty else ("a perspective projection", chain[-1] if chain else draw)
+        yield self._mistake("projection-in-modelview", call, call=name)
 
     def _lights(self, draw: Draw, provenance: Provenance) -> Iterator[Mistake]:
         cameras = self._cameras(provenance.chains["modelview"][-1])

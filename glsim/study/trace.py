@@ -75,7 +75,7 @@ def _traced(frame: Frame) -> tuple[list[Entry], list[Mistake]]:
         mistakes += detector.call(number, call, before, after)
         made = draws.get(number, [])
         for draw in [draw for draw in made if draw.trail == step.trail or not step.trail]:
-            mistakes += detector.draw(draw, step.provenance)
+            mistakes += detector.draw(draw, step.provenance, after)
             colors.used(draw.state.lighting)
             made.remove(draw)
         if step.trail:
