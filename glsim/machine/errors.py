@@ -9,8 +9,6 @@ from ctypes import ArgumentError
 from struct import error as StructError  # noqa: N812
 from typing import Any
 
-import numpy as np
-
 from glsim.machine.commands import COMMANDS, NUMBERS, numbers_wanted
 from glsim.machine.constants import (
     GL_INVALID_ENUM,
@@ -21,7 +19,6 @@ from glsim.machine.constants import (
     GL_STACK_UNDERFLOW,
     Enum,
 )
-from glsim.machine.types import is_pointer
 
 
 class GLError(Exception):
@@ -147,6 +144,10 @@ def _complaint(kind: str, value: object, count: int | None) -> str:
 
 
 def _array_complaint(value: Any, count: int | None) -> str:
+    import numpy as np  # so that ``glsim --help`` is quick
+
+    from glsim.machine.types import is_pointer
+
     numbers = "a list, tuple or array of numbers" if count is None else f"a list, tuple or array of {count} numbers"
     if is_pointer(value):
         return f"{numbers} (a pointer of ctypes does not say how many there are)"
