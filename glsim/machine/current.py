@@ -126,7 +126,9 @@ def _switch(machine: Any) -> None:
             _holders.pop(id(place), None)
         else:
             if machine.thread != threading.get_ident() and machine in _holders.values():
-                raise RuntimeError("this context is current in another thread: open one for this thread, with glsim.offscreen")
+                raise RuntimeError(
+                    "this context is current in another thread: open one for this thread, with glsim.offscreen"
+                )
             machine.thread = threading.get_ident()
             place.machine = _holders[id(place)] = machine
         place.namespace["current"] = place.machine

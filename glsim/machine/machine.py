@@ -214,7 +214,9 @@ class Machine:
 
     def begin(self, mode: int) -> None:
         if get_ident() != self.thread:
-            raise NoContextError("no context is current in this thread: each thread opens its own, with glsim.offscreen")
+            raise NoContextError(
+                "no context is current in this thread: each thread opens its own, with glsim.offscreen"
+            )
         self.inside = mode
         self.busy = True
         self.first = self.stream.tell() // ROW_BYTES

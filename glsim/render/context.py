@@ -215,7 +215,6 @@ class Offscreen:
         if self._opened.place() is None:
             self._opened.take()
 
-
     # ------------------------------------------------------------ what the machine asks of its device
 
     def execute(self, packets: list[Packet]) -> None:
