@@ -235,7 +235,8 @@ screen = glsim.offscreen(8, 8); glRectf(-1, -1, 1, 1); screen.pixels()
 sys.stdout.flush()
 child = os.fork()
 if not child:
-    for work in (lambda: glsim.offscreen(8, 8), lambda: glColor3f(1, 0, 0), glFlush, screen.pixels, screen.make_current):
+    other = lambda: glsim.offscreen(8, 8)
+    for work in (other, lambda: glColor3f(1, 0, 0), glFlush, screen.pixels, screen.make_current):
         try: print(work())
         except RuntimeError as error: print(error)
     sys.exit()

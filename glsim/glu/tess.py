@@ -382,8 +382,8 @@ def _between(p: Whole, a: Whole, b: Whole) -> NDArray[np.bool_]:
 def _near(P: Whole, edges: Whole) -> Iterator[tuple[Whole, Whole]]:
     """Pairs of edges whose bounding boxes meet, some at a time.
 
-    Edges are sorted along one axis; each is held against those that begin before it ends.  Of the two axes it is the one
-    along which fewer edges lie side by side.
+    Edges are sorted along one axis; each is held against those that begin before it ends.  It is the axis along which
+    fewer edges lie side by side.
     """
     A, B = P[edges[:, 0]], P[edges[:, 1]]
     low, high = np.minimum(A, B), np.maximum(A, B)
