@@ -347,6 +347,7 @@ def test_exceptions_from_signals_break_nothing() -> None:
 
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="this platform has no interval timers")
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # the timer hits callbacks of gc too
 def test_an_interrupted_list_leaves_the_calls_where_they_went(screen: glsim.Offscreen) -> None:
     def handler(*arguments: object) -> None:
         raise KeyboardInterrupt
