@@ -235,7 +235,8 @@ screen = glsim.offscreen(8, 8); glRectf(-1, -1, 1, 1); screen.pixels()
 sys.stdout.flush()
 child = os.fork()
 if not child:
-    for work in (lambda: glsim.offscreen(8, 8), lambda: glColor3f(1, 0, 0), glFlush, screen.pixels, screen.make_current):
+    other = lambda: glsim.offscreen(8, 8)
+    for work in (other, lambda: glColor3f(1, 0, 0), glFlush, screen.pixels, screen.make_current):
         try: print(work())
         except RuntimeError as error: print(error)
     sys.exit()
@@ -346,6 +347,7 @@ def test_exceptions_from_signals_break_nothing() -> None:
 
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="this platform has no interval timers")
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # the timer hits callbacks of gc too
 def test_an_interrupted_list_leaves_the_calls_where_they_went(screen: glsim.Offscreen) -> None:
     def handler(*arguments: object) -> None:
         raise KeyboardInterrupt

@@ -44,8 +44,10 @@ from glsim.machine.state import (
     take_groups,
 )
 
-# Vertices are handed to the device when they take more than this, so that a program that never flushes stays small.
+# So that a program that never flushes stays small, packets are handed to the device when their vertices, or pictures of
+# pixel rectangles, take more than LARGE bytes, or when there are more than MANY packets.
 LARGE = 256 * 1024 * 1024
+MANY = 1 << 18
 
 # Depths of the matrix stacks; the specification's minimum is 32, 2 and 2.
 ATTRIB_STACK_DEPTH = 16
@@ -102,12 +104,12 @@ class Machine:
     __slots__ = (  # noqa: RUF023
         # registers: current values, vertices since the last flush, what is going on
         "accum_clear", "alpha", "array_buffer", "attrib_stack", "begin_material", "blue", "buffers", "busy",
-        "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling",
-        "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest",
-        "limits", "list_base", "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store",
-        "packets", "pixel", "projection", "queries", "raster", "recorder", "red", "selection",
-        "several_texture_matrices", "stack", "stacks", "stream", "texcoord", "texture_names", "texture_stacks",
-        "textures", "thread", "tracks", "unpack_store", "write", "__weakref__",
+        "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns",
+        "compiling", "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index",
+        "inside", "latest", "limits", "list_base", "lists", "lowest", "maps", "materials", "modelview", "nesting", "nx",
+        "ny", "nz", "pack_store", "packets", "pixel", "projection", "queries", "raster", "recorder", "red",
+        "selection", "several_texture_matrices", "stack", "stacks", "stream", "texcoord", "texture_names",
+        "texture_stacks", "textures", "thread", "tracks", "unpack_store", "waiting", "write", "__weakref__",
         # groups of state
         "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",
         "polygon_stipple", "scissor", "stencil", "texture", "transform", "viewport",
@@ -143,6 +145,7 @@ class Machine:
         self.texture = Texturing()
         self.textures = {(0, texture.kind): texture for texture in self.texture.unit.bound}
         self.texture_names: set[int] = set()  # by glGenTextures
+        self.lowest: dict[str, int] = {}  # no name of "textures", "buffers", "queries" or "lists" below it is free
         self.fog = Fog()
         self.depth = Depth()
         self.stencil = Stencil()
@@ -190,6 +193,7 @@ class Machine:
         self.first = 0
         self.begin_material = self.material
         self.packets: list[Packet] = []
+        self.waiting = 0  # bytes of the pictures in packets
         self._new_stream()
         if self.capturing is not None:
             self.capturing.packets.clear()
@@ -245,7 +249,7 @@ class Machine:
         while self.materials and self.materials[-1][0] == first + count:
             self.materials.pop()  # glMaterial after the last vertex
         self.packets.append(Draw(mode, first, count, None, self.matrices(), self.begin_material, self.snapshot()))
-        if end > LARGE:
+        if end > LARGE or len(self.packets) > MANY:
             self.flush()
 
     def add_draw(
@@ -260,8 +264,7 @@ class Machine:
         self.stream.write(np.ascontiguousarray(rows, np.float32).data)
         self.columns += [(name, first, values) for name, values in columns.items()]
         self.packets.append(Draw(mode, first, len(rows), indices, self.matrices(), self.material, self.snapshot()))
-        if self.stream.tell() > LARGE:
-            self.flush()
+        self.relieve()
 
     def matrices(self) -> Matrices:
         """What a Draw made now is transformed with."""
@@ -277,6 +280,17 @@ class Machine:
 
     # ------------------------------------------------------------ flush points
 
+    def add(self, packet: Packet, size: int = 0) -> None:
+        """A packet that is no primitive.  size: bytes of its picture."""
+        self.packets.append(packet)
+        self.waiting += size
+        self.relieve()
+
+    def relieve(self) -> None:
+        """Hand the packets to the device if they take much memory."""
+        if self.stream.tell() + self.waiting > LARGE or len(self.packets) > MANY:
+            self.flush()
+
     def flush(self) -> None:
         """Hand all packets to the device; nothing happens between glBegin and glEnd."""
         if not self.packets or self.inside is not None:
@@ -284,7 +298,7 @@ class Machine:
         self.device.check()
         with uninterrupted():
             vertices = self.take_vertices()
-            packets, self.packets = self.packets, []
+            packets, self.packets, self.waiting = self.packets, [], 0
             for packet in packets:
                 if type(packet) is Draw and packet.vertices is None:
                     packet.vertices = vertices

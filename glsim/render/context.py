@@ -338,7 +338,10 @@ class Offscreen:
 
 
 def offscreen(width: int, height: int, *, samples: int = 0, backend: str = "auto") -> Offscreen:
-    """Open a picture of ``width`` x ``height`` pixels to draw into, and send the gl commands to it.
+    """Open a picture of ``width`` x ``height`` pixels to draw into, and send this thread's gl commands to it.
+
+    As in OpenGL each thread has its own current context.  A context is drawn with in the thread that made it; when that
+    has ended, in the first other one that uses it.  A process that was forked afterwards cannot draw: spawn it.
 
     samples: multisampling, 0 for none.  backend: "auto", "egl", "egl:N" (device N), "osmesa", "x11" or "native";
     "auto" honours the environment variable GLSIM_BACKEND and then tries what the platform has.

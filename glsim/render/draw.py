@@ -181,7 +181,7 @@ class Renderer:
             if kind is Draw:
                 self._draw(run)
             elif kind is Pixels:
-                for pixels in merged_bitmaps(run):
+                for pixels in merged_bitmaps(run, self.size):
                     self._draw_pixels(pixels, read)
             elif kind is Accum:
                 for packet in run:
