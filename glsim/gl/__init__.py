@@ -47,6 +47,7 @@ from glsim.machine.errors import GLError
 from glsim.machine.errors import NoContextError as NoContextError
 from glsim.machine.manual import doc
 from glsim.machine.record import implementations
+from glsim.names import missing
 
 error = GLError  # PyOpenGL's other name for it
 
@@ -97,3 +98,7 @@ globals().update(_functions())
 __all__ = [name for name in globals() if name.startswith("GL") or (name.startswith("gl") and name[2:3].isupper())]
 __all__ += ["error"]
 implementations.update({name: globals()[name] for name in COMMANDS})
+
+
+def __getattr__(name: str) -> Any:
+    raise missing(__name__, name, __all__)

@@ -23,6 +23,8 @@ from glsim.machine.constants import (
     GL_SMOOTH,
 )
 from glsim.machine.frame import Draw, Frame, Vertices
+from glsim.names import LOBES as LOBE_NAMES
+from glsim.names import SHADING, did_you_mean
 from glsim.scenes import Camera, Lamp
 from glsim.study.capture import capture
 from glsim.study.frames import drawer
@@ -115,10 +117,10 @@ def compare(
 
     what: a function that draws with the gl commands, a Scene, the name of a built-in scene, the path of a mesh file,
         a trimesh.Trimesh, or the path of a GLUT program (.py), whose first picture is taken at its own size.
-    modes: of "flat", "gouraud", "phong", "wireframe", "unlit", "native" (the driver's own fixed function); and with
-        light that comes from the scene's own surfaces, seen through camera number ``view`` of a radiosity.Scene or
-        whatever such can be made from: "direct" (illumination with soft shadows) and "radiosity", solved with
-        ``patches`` patches.  The other modes then show its lamps as OpenGL's lights (see radiosity.lit).
+    modes: of "flat", "gouraud" (or "smooth"), "phong", "wireframe", "unlit", "native" (the driver's own fixed
+        function); and with light that comes from the scene's own surfaces, seen through camera number ``view`` of a
+        radiosity.Scene or whatever such can be made from: "direct" (illumination with soft shadows) and "radiosity",
+        solved with ``patches`` patches.  The other modes then show its lamps as OpenGL's lights (see radiosity.lit).
     lobes: "blinn" and/or "phong".  size: of each picture, in pixels.
     lights, material, camera: instead of the scene's own; not for a function, which sets its own.
     progress: called with what is being done, for work that takes long.
@@ -126,10 +128,14 @@ def compare(
     Raises ValueError for an unknown mode, lobe or material, MeshError for a file that cannot be drawn, NoNativeError
     if "native" is asked for and the platform has none.
     """
+    modes, lobes = (
+        [names.get(name, name) for name in given] for names, given in ((SHADING, modes), (LOBE_NAMES, lobes))
+    )
     for kind, given, known in (("mode", modes, MODES), ("lobe", lobes, LOBES)):
         unknown = [name for name in given if name not in known]
         if unknown or not given:
-            raise ValueError(f"compare: {kind}s are {', '.join(known)}, not {', '.join(unknown) or 'none'}")
+            hint = did_you_mean(unknown[0], known) if unknown else ""
+            raise ValueError(f"compare: {kind}s are {', '.join(known)}, not {', '.join(unknown) or 'none'}{hint}")
     tell = progress or (lambda words: None)
     if _bounces(what) or not set(BOUNCING).isdisjoint(modes):
         if lights is not None or material is not None or camera is not None:
