@@ -67,6 +67,10 @@ class Comparison:
     lobes: tuple[str, ...]
     images: dict[tuple[str, str], Pixels]
 
+    def __repr__(self) -> str:
+        height, width = next(iter(self.images.values())).shape[:2]
+        return f"<Comparison {self.title} {width} x {height}: {', '.join(self.modes)}; {', '.join(self.lobes)}>"
+
     def difference(self, lobe: str, mode: str) -> NDArray[np.int16]:
         """|picture - picture of the first mode| for a lobe, (height, width, 3) in 0..255."""
         first = next(name for name in self.modes if (lobe, name) in self.images)
