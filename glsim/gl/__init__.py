@@ -18,6 +18,7 @@ Extensions (glGetString(GL_EXTENSIONS) names them):
 from __future__ import annotations
 
 import ctypes
+from inspect import signature
 from typing import Any
 
 from glsim.gl import (
@@ -87,8 +88,7 @@ def _functions() -> dict[str, Any]:
     for kind in ("Boolean", "Integer", "Float", "Double"):
         functions[f"glGet{kind}"] = functions[f"glGet{kind}v"]
     for function in functions.values():
-        code = function.__code__
-        function.__doc__ = doc(function.__name__, code.co_varnames[: code.co_argcount])
+        function.__doc__ = doc(function.__name__, tuple(signature(function).parameters))
     return functions
 
 
