@@ -57,7 +57,9 @@ __all__ = ["__version__", *_HOME]
 def __getattr__(name: str) -> Any:
     if name in _HOME:
         return getattr(import_module(_HOME[name]), name)
-    raise AttributeError(f"module 'glsim' has no attribute {name!r}")
+    from glsim.names import missing
+
+    raise missing(__name__, name, __all__)
 
 
 def __dir__() -> list[str]:

@@ -18,7 +18,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from glsim.machine.errors import GLError
-from glsim.options import camera, check_picture_name, console, count, light, number, positive, rectangle, size
+from glsim.options import (
+    Parser,
+    camera,
+    check_picture_name,
+    console,
+    count,
+    light,
+    lobe,
+    number,
+    positive,
+    rectangle,
+    shading,
+    size,
+)
 
 if TYPE_CHECKING:
     from glsim.machine.frame import Frame
@@ -90,9 +103,7 @@ def _parser() -> argparse.ArgumentParser:
     from glsim.radiosity import command
     from glsim.version import __version__
 
-    parser = argparse.ArgumentParser(
-        prog="glsim", description="OpenGL's fixed-function pipeline, to teach and to learn."
-    )
+    parser = Parser(prog="glsim", description="OpenGL's fixed-function pipeline, to teach and to learn.")
     parser.add_argument("--version", action="version", version=f"glsim {__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     _add_compare(commands)
@@ -216,8 +227,8 @@ def _add_run(commands: Any) -> None:
                    "motion X Y, passive X Y, menu VALUE, reshape W H, tick")  # fmt: skip
     p.add_argument("--keys", default="", metavar="abc", help="short for --events with a key for each letter")
     p.add_argument("--size", type=rectangle, metavar="WxH", help="size of every window, whatever the program asks")
-    p.add_argument("--shade", choices=("flat", "smooth", "phong"), help="shade everything like this")
-    p.add_argument("--lobe", choices=("blinn", "phong"), help="the specular lobe: (N.H)^n or (R.V)^n")
+    p.add_argument("--shade", type=shading, metavar="flat|gouraud|phong", help="shade everything like this")
+    p.add_argument("--lobe", type=lobe, metavar="blinn|phong", help="the specular lobe: (N.H)^n or (R.V)^n")
     p.add_argument("--window", action="store_true", help="show real windows (needs the package glfw)")
     p.add_argument("--real-time", action="store_true", help="let the clock run, instead of 20 ms a step")
     p.add_argument("--timeout", type=positive, default=None, metavar="SECONDS",

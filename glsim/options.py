@@ -5,10 +5,35 @@ from __future__ import annotations
 import argparse
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from glsim.names import LOBES, SHADING, did_you_mean
 
 if TYPE_CHECKING:
     from glsim.scenes import Camera, Lamp
+
+
+class Parser(argparse.ArgumentParser):
+    """Asks "did you mean" for a misspelt command or choice."""
+
+    def error(self, message: str) -> NoReturn:
+        found = re.search(r"invalid choice: '(.*?)' \(choose from (.*)\)", message)
+        super().error(message + did_you_mean(found[1], re.findall(r"[\w-]+", found[2])) if found else message)
+
+
+def shading(text: str) -> str:
+    return _kept(text, SHADING, "the shading")
+
+
+def lobe(text: str) -> str:
+    return _kept(text, LOBES, "the lobe")
+
+
+def _kept(text: str, names: dict[str, str], kind: str) -> str:
+    """The one name that is kept for another: smooth -> gouraud."""
+    if text not in names:
+        raise argparse.ArgumentTypeError(f"{kind} is {', '.join(names)}, not {text!r}{did_you_mean(text, names)}")
+    return names[text]
 
 
 def count(text: str) -> int:

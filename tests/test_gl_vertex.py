@@ -170,6 +170,18 @@ def test_suffix_free_forms(screen: glsim.Offscreen) -> None:
     assert glGetLightfv(GL_LIGHT0, GL_DIFFUSE)[0] == 0.5
 
 
+def test_no_context_in_a_glut_program(monkeypatch: pytest.MonkeyPatch) -> None:
+    from glsim.glut import api
+    from glsim.machine.errors import NoContextError
+
+    make_current(None)
+    monkeypatch.setattr(api.settings, "initialized", False)
+    monkeypatch.setattr(NoContextError, "uses_glut", False)
+    api.glutInit()
+    with pytest.raises(NoContextError, match=r"^no context is current: call glutCreateWindow before the first gl"):
+        glEnable(GL_LIGHTING)
+
+
 def test_no_context() -> None:
     make_current(None)
     with pytest.raises(RuntimeError, match=r"no context is current: call glsim.offscreen"):

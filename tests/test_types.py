@@ -92,7 +92,7 @@ def mypy(path: Path) -> list[str]:
     command = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(path.parent / "cache"), str(path)]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode in (0, 1), done.stderr
-    return [line for line in done.stdout.splitlines() if ": error:" in line]
+    return [line for line in done.stdout.splitlines() if ": error:" in line and path.name in line]
 
 
 def pyright(path: Path) -> list[str]:

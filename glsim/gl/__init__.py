@@ -48,6 +48,7 @@ from glsim.machine.errors import GLError
 from glsim.machine.errors import NoContextError as NoContextError
 from glsim.machine.manual import doc
 from glsim.machine.record import implementations
+from glsim.names import missing
 
 error = GLError  # PyOpenGL's other name for it
 
@@ -90,8 +91,7 @@ def _functions() -> dict[str, Any]:
     for kind in ("Boolean", "Integer", "Float", "Double"):
         functions[f"glGet{kind}"] = functions[f"glGet{kind}v"]
     for function in functions.values():
-        named = [word for word, p in inspect.signature(function).parameters.items() if p.kind is not p.VAR_POSITIONAL]
-        function.__doc__ = doc(function.__name__, tuple(named))
+        function.__doc__ = doc(function.__name__, tuple(inspect.signature(function).parameters))
     return functions
 
 
@@ -101,3 +101,7 @@ globals().update(_functions())
 __all__ = [name for name in globals() if name.startswith("GL") or (name.startswith("gl") and name[2:3].isupper())]
 __all__ += ["error"]
 implementations.update({name: globals()[name] for name in COMMANDS})
+
+
+def __getattr__(name: str) -> Any:
+    raise missing(__name__, name, __all__)

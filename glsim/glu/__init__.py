@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from glsim.glu import constants, errors, images, nurbs, quadric, tess, view
 from glsim.glu.errors import GLUError as GLUError
 from glsim.glu.errors import GLUWarning as GLUWarning
+from glsim.names import missing
 
 GLUerror = GLUError  # PyOpenGL's names
 GLUquadric = GLUQuadric = GLUquadricObj = quadric.Quadric
@@ -18,3 +21,7 @@ for _topic in (errors, images, nurbs, quadric, tess, view):
     )
 
 __all__ = [name for name in globals() if name.startswith("GLU") or (name[:3] == "glu" and name[3:4].isupper())]
+
+
+def __getattr__(name: str) -> Any:
+    raise missing(__name__, name, __all__)

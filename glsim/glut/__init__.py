@@ -6,7 +6,10 @@ Windows are pictures: ``glsim run`` takes them after each step of a main loop wh
 
 from __future__ import annotations
 
+from typing import Any
+
 from glsim.glut import api, constants, fonts, shapes
+from glsim.names import missing
 
 HAVE_FREEGLUT = True
 fgDeinitialize = None
@@ -16,3 +19,7 @@ for _topic in (api, shapes, fonts):
         {n: v for n, v in vars(_topic).items() if n.startswith(("glut", "GLUT_")) and not n.startswith("glut_")}
     )
 __all__ = [name for name in globals() if name.startswith(("glut", "GLUT_"))] + ["HAVE_FREEGLUT"]
+
+
+def __getattr__(name: str) -> Any:
+    raise missing(__name__, name, __all__)

@@ -11,6 +11,7 @@ from glsim.glut import fonts
 from glsim.glut.constants import NAMES
 from glsim.glut.loop import SCREEN, FinishedError, loop
 from glsim.glut.window import Window
+from glsim.machine.errors import NoContextError
 
 DEFAULT_SIZE = (300, 300)
 JOIN_DOTS = 0x0206  # GLUT_STROKE_FONT_DRAW_JOIN_DOTS
@@ -56,7 +57,7 @@ def _text(title: Any) -> str:
 
 def glutInit(*arguments: Any) -> list[Any]:
     """glutInit(), glutInit(sys.argv) or glutInit(len(argv), argv): the arguments that are left, all of them."""
-    settings.initialized = True
+    settings.initialized = NoContextError.uses_glut = True
     given = next((a for a in arguments if isinstance(a, (list, tuple))), arguments)
     return [a for a in given if not isinstance(a, int)]
 

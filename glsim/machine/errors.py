@@ -50,7 +50,15 @@ class GLError(Exception):
 
 
 class NoContextError(RuntimeError):
-    """A gl command was called while no context is current."""
+    """A gl command was called while no context is current.  A program that uses GLUT is told of glutCreateWindow."""
+
+    uses_glut = False  # since glutInit
+
+    def __str__(self) -> str:
+        problem, _, remedy = super().__str__().partition(": ")
+        if self.uses_glut and "glsim.offscreen" in remedy:
+            return f"{problem}: call glutCreateWindow before the first gl command"
+        return super().__str__()
 
 
 def invalid_enum(argument: str, value: object, expected: str) -> GLError:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from html import escape
 from operator import itemgetter
 from typing import Any, NamedTuple
 
@@ -218,6 +219,22 @@ class Frame:
     history: list[Moment] = field(default_factory=list)
     error: str = ""
     error_at: Where | None = None
+
+    def __repr__(self) -> str:
+        counts = f"{len(self.packets)} packets, {len(list(self.draws))} draws, {len(self.calls)} calls"
+        return f"<Frame {self.width} x {self.height}: {counts}{', ' + self.error if self.error else ''}>"
+
+    def _repr_html_(self) -> str:
+        """A table of what is drawn, for Jupyter."""
+        rows = []
+        for number, packet in enumerate(self.packets):
+            call, what = getattr(packet, "call", None), type(packet).__name__
+            if isinstance(packet, Draw):
+                count = packet.count if packet.indices is None else len(packet.indices)
+                what = f"{packet.mode!r}, {count} vertices"
+            where = self.calls[call].where if call is not None and self.calls else None
+            rows.append(f"<tr><td>{number}<td>{escape(what)}<td>{where.line if where else ''}")
+        return f"{escape(repr(self))}<table><tr><th>packet<th>what<th>line{''.join(rows)}</table>"
 
     @property
     def draws(self) -> Iterator[Draw]:

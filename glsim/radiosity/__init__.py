@@ -38,4 +38,6 @@ __all__ = list(_HOME)
 def __getattr__(name: str) -> Any:
     if name in _HOME:
         return getattr(import_module(f"glsim.radiosity.{_HOME[name]}"), name)
-    raise AttributeError(f"module 'glsim.radiosity' has no attribute {name!r}")
+    from glsim.names import missing
+
+    raise missing(__name__, name, _HOME)

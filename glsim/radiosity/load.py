@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.names import did_you_mean
 from glsim.radiosity.scene import Builder, Material, Scene, SceneError, View, view_of
 from glsim.radiosity.scenes import BUILT_IN
 from glsim.scenes.mesh import MeshError
@@ -47,7 +48,8 @@ def scene_from(what: Any, materials: Mapping[str, Material] | None = None) -> Sc
     elif Path(what).exists():
         scene = from_file(Path(what))
     else:
-        raise SceneError(f"{what}: there is no such file, and the built-in scenes are {', '.join(BUILT_IN)}")
+        known = f"the built-in scenes are {', '.join(BUILT_IN)}{did_you_mean(str(what), BUILT_IN)}"
+        raise SceneError(f"{what}: there is no such file, and {known}")
     unknown = set(materials or {}) - {material.name for material in scene.materials}
     if unknown:
         known = ", ".join(sorted(material.name for material in scene.materials))

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from glsim.machine.state import MAX_LIGHTS, Face
+from glsim.names import did_you_mean
 from glsim.scenes.load import fit, load
 from glsim.scenes.materials import MATERIALS, material
 from glsim.scenes.mesh import Mesh, MeshError
@@ -166,5 +167,6 @@ def open_scene(what: str | Path) -> Scene:
             raise ValueError(f"{what}: a {name} needs at least 3 slices")
         return Scene(str(what), entry.meshes(slices), material(entry.material), entry.camera, entry.lights)
     if not Path(what).exists():
-        raise MeshError(f"{what}: there is no such file, and the built-in scenes are {', '.join(BUILT_IN)}")
+        known = f"the built-in scenes are {', '.join(BUILT_IN)}{did_you_mean(name, BUILT_IN)}"
+        raise MeshError(f"{what}: there is no such file, and {known}")
     return Scene(Path(what).name, load(what), material("white-plastic"), two_sided=True)

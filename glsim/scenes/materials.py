@@ -8,6 +8,7 @@ diffuse k_d, specular k_s (RGB) and the exponent n (128 times the table's shinin
 from __future__ import annotations
 
 from glsim.machine.state import Face
+from glsim.names import did_you_mean
 
 _TABLE = """
 emerald          .0215 .1745 .0215        .07568 .61424 .07568     .633 .727811 .633         76.8
@@ -56,5 +57,7 @@ def material(name: str) -> Face:
     """A material by name: "brass", "polished gold", ...  Raises ValueError that lists the names."""
     key = name.lower().replace(" ", "-").replace("_", "-")
     if key not in MATERIALS:
-        raise ValueError(f"there is no material {name!r}; the names are {', '.join(MATERIALS)}")
+        raise ValueError(
+            f"there is no material {name!r}; the names are {', '.join(MATERIALS)}{did_you_mean(key, MATERIALS)}"
+        )
     return MATERIALS[key]

@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 
 from glsim.files import write_atomically
 from glsim.machine.frame import Frame
+from glsim.names import LOBES as LOBE_NAMES
+from glsim.names import SHADING, did_you_mean
 from glsim.play.capture import capture
 from glsim.play.frames import drawer, frame_of_program
 from glsim.play.reshade import shaded
@@ -55,6 +57,10 @@ class Comparison:
     modes: tuple[str, ...]
     lobes: tuple[str, ...]
     images: dict[tuple[str, str], Pixels]
+
+    def __repr__(self) -> str:
+        height, width = next(iter(self.images.values())).shape[:2]
+        return f"<Comparison {self.title} {width} x {height}: {', '.join(self.modes)}; {', '.join(self.lobes)}>"
 
     def difference(self, lobe: str, mode: str) -> NDArray[np.int16]:
         """|picture - picture of the first mode| for a lobe, (height, width, 3) in 0..255."""
@@ -147,10 +153,10 @@ def compare(
 
     what: a function that draws with the gl commands, a Scene, the name of a built-in scene, the path of a mesh file,
         a trimesh.Trimesh, or the path of a GLUT program (.py), whose first picture is taken at its own size.
-    modes: of "flat", "gouraud", "phong", "wireframe", "unlit", "native" (the driver's own fixed function); and with
-        light that comes from the scene's own surfaces, seen through camera number ``view`` of a radiosity.Scene or
-        whatever such can be made from: "direct" (illumination with soft shadows) and "radiosity", solved with
-        ``patches`` patches.  The other modes then show its lamps as OpenGL's lights (see radiosity.lit).
+    modes: of "flat", "gouraud" (or "smooth"), "phong", "wireframe", "unlit", "native" (the driver's own fixed
+        function); and with light that comes from the scene's own surfaces, seen through camera number ``view`` of a
+        radiosity.Scene or whatever such can be made from: "direct" (illumination with soft shadows) and "radiosity",
+        solved with ``patches`` patches.  The other modes then show its lamps as OpenGL's lights (see radiosity.lit).
     lobes: "blinn" and/or "phong".  size: of each picture, in pixels.
     lights, material, camera: instead of the scene's own; not for a function, which sets its own.
     progress: called with what is being done, for work that takes long.
@@ -158,10 +164,14 @@ def compare(
     Raises ValueError for an unknown mode, lobe or material, MeshError for a file that cannot be drawn, NoNativeError
     if "native" is asked for and the platform has none.
     """
+    modes, lobes = (
+        [names.get(name, name) for name in given] for names, given in ((SHADING, modes), (LOBE_NAMES, lobes))
+    )
     for kind, given, known in (("mode", modes, MODES), ("lobe", lobes, LOBES)):
         unknown = [name for name in given if name not in known]
         if unknown or not given:
-            raise ValueError(f"compare: {kind}s are {', '.join(known)}, not {', '.join(unknown) or 'none'}")
+            hint = did_you_mean(unknown[0], known) if unknown else ""
+            raise ValueError(f"compare: {kind}s are {', '.join(known)}, not {', '.join(unknown) or 'none'}{hint}")
     tell = progress or (lambda words: None)
     if _bounces(what) or not set(BOUNCING).isdisjoint(modes):
         if lights is not None or material is not None or camera is not None:

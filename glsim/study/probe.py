@@ -145,6 +145,10 @@ class Probe:
     fragments: tuple[Fragment, ...]
     events: tuple[Event, ...]
 
+    def __repr__(self) -> str:
+        seen = "the background" if self.winner is None else f"draw {self.winner.draw}, {self.winner.what}"
+        return f"<Probe ({self.x}, {self.y}): pixel {self.pixel}, {len(self.fragments)} fragments, seen is {seen}>"
+
     @property
     def covered(self) -> Event | None:
         """The last glClear or glAccum that left nothing of what was there before."""

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from io import StringIO
 from math import isnan
 from pathlib import Path
 from typing import Any
 
-from rich.console import Group
+from rich.console import Console, Group
 from rich.table import Table
 from rich.text import Text
 
@@ -30,6 +31,14 @@ def vector(values: Sequence[float]) -> str:
 def swatch(color: Sequence[int]) -> Text:
     r, g, b = color[:3]
     return Text.assemble(("    ", f"on rgb({r},{g},{b})"), f" ({r}, {g}, {b}, {color[3]})  #{r:02x}{g:02x}{b:02x}")
+
+
+def html(*parts: Any) -> str:
+    """Tables and texts as HTML, for Jupyter."""
+    console = Console(file=StringIO(), record=True, width=160, force_jupyter=False)
+    for part in parts:
+        console.print(part)
+    return console.export_html(inline_styles=True, code_format='<pre style="line-height: 1.2">{code}</pre>')
 
 
 def line(where: Where | None) -> str:

@@ -48,6 +48,11 @@ class Terms:
     vector: str = "H"
     more: tuple[str, ...] = ()
 
+    def __repr__(self) -> str:
+        (height, width), lights = self.depth.shape, ", ".join(map(str, self.lights)) or "none"
+        counts = f"{self.covered.sum()} pixels covered, {self.lit.sum()} lit, {self.clamped.sum()} clamped"
+        return f"<Terms {width} x {height}: {counts}, lights {lights}>"
+
     @property
     def sum(self) -> Float:
         """All summands together, not clamped: (height, width, 3)."""

@@ -40,6 +40,15 @@ class Trace:
     entries: list[Entry]
     mistakes: list[Mistake]
 
+    def __repr__(self) -> str:
+        kinds = ", ".join(mistake.kind for mistake in self.mistakes[:5]) + (", ..." if len(self.mistakes) > 5 else "")
+        return f"<Trace: {len(self.entries)} entries, {len(self.mistakes)} mistakes{': ' if kinds else ''}{kinds}>"
+
+    def _repr_html_(self) -> str:
+        from glsim.study.report import calls_table, html, mistakes_list
+
+        return html(mistakes_list(self), calls_table(self))
+
     def as_dict(self) -> dict[str, Any]:
         from glsim.study.probe import plain
 
