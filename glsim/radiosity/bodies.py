@@ -17,7 +17,9 @@ from glsim.radiosity.scene import Scene, area_of, normal_of
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
-GAP = 1e-5  # of the scene's size: rays begin and end so far in front of patches; what is nearer to a wall does not block
+GAP = (
+    1e-5  # of the scene's size: rays begin and end so far in front of patches; what is nearer to a wall does not block
+)
 EXACT = 1e-6  # of the scene's size: how far a corner of a proven body may be from where it should be
 MOST_BODIES, MOST_PLANES = 48, 24  # more are not worth asking
 MOST_POLYGONS = 4000
@@ -181,7 +183,7 @@ def surface_of(rings: list[Float], tolerance: float) -> Float | None:
 
 
 def _loop(edges: list[tuple[int, int]]) -> list[int]:
-    """The corners that follow each other along edges from the first one on, if that way comes back to where it began."""
+    """The corners that follow each other along edges from the first one on, if this comes back to the beginning."""
     after = dict(edges)
     way = [edges[0][0]] if edges else []
     while len(way) < len(after) and (following := after.get(way[-1])) is not None:

@@ -40,7 +40,8 @@ def solve(
     vertex) or "average" (of patches).  close: scale the form factors so that rows sum to 1, for closed scenes.  flip:
     turn all fronts to the other side.  checkpoint: see formfactors.compute.  scheduler: the address of a Dask scheduler
     on whose workers the form factors are found and used; checkpoint is then the name under which they stay there (see
-    distributed.Blocks).  Raises SceneError.
+    distributed.Blocks).  threads: for rays, by default one for each processor; the result does not depend on it.
+    Raises SceneError.
     """
     from glsim.radiosity.adapt import refined
     from glsim.radiosity.load import scene_from
@@ -108,7 +109,7 @@ def _finder(method: str, threads: int | None, scheduler: str | None, tell: Progr
     from glsim.radiosity.distributed import Blocks, connected
 
     client = connected(scheduler)
-    return lambda parts, name=None: Blocks(client, parts, tell, name)
+    return lambda parts, name=None: Blocks(client, parts, tell, name, threads)
 
 
 @contextmanager
