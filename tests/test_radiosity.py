@@ -914,6 +914,26 @@ def test_a_package_that_is_missing(package: str, words: str, folder: Path) -> No
     assert ran.stderr.splitlines()[-1] == f"glsim: radiosity needs the package {package}: pip install glsim[radiosity]"
 
 
+def test_where_nothing_can_be_written_it_compiles_in_each_run() -> None:
+    """An installation that is read-only, and no home: numba has no folder for what it compiled."""
+    code = """
+import tempfile
+def refused(*arguments, **more):
+    raise PermissionError(30, "Read-only file system")
+tempfile.TemporaryFile = refused
+import numpy as np
+from glsim.radiosity import kernels, sweep, visibility
+print(kernels._area(np.eye(3), 3), kernels.kept(kernels._area), kernels.kept(kernels.rows))
+"""
+    for nowhere in ({}, {"NUMBA_CACHE_DIR": os.devnull}):
+        ran = subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, text=True, env={**ENVIRONMENT, **nowhere}
+        )
+        assert ran.returncode == 0, ran.stderr
+        assert ran.stdout.split() == [str(np.sqrt(3.0) / 2.0), "False", "False"]
+    assert kernels.kept(kernels.rows)
+
+
 def test_the_command_interrupted(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

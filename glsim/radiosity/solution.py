@@ -44,6 +44,7 @@ def solve(
     Raises SceneError.
     """
     from glsim.radiosity.adapt import refined
+    from glsim.radiosity.kernels import kept, rows
     from glsim.radiosity.load import scene_from
 
     _check(method, vertices, adaptive, close, scheduler)
@@ -55,9 +56,10 @@ def solve(
         scene = scene_from(what)
         scene = (scene.flipped() if flip else scene).checked()
     with _timed(seconds, "compiled code"):
-        tell("compiling (only in the first run)", 0, 1)
+        once = "only in the first run" if kept(rows) else "in each run: set NUMBA_CACHE_DIR to a folder to keep it"
+        tell(f"compiling ({once})", 0, 1)
         _compiled(method == "hierarchical")
-        tell("compiling (only in the first run)", 1, 1)
+        tell(f"compiling ({once})", 1, 1)
     if method == "hierarchical":
         with _timed(seconds, "patches"):
             tree = tree_of(scene, patches)
