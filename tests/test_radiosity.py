@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -29,6 +30,7 @@ from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.patches import Patches, patches_of, subdivide
 from glsim.radiosity.scene import Builder, Material, Scene, SceneError, box, normal_of, quad
 from glsim.radiosity.scenes import BUILT_IN
+from glsim.radiosity.solution import _compiled
 from glsim.radiosity.solvers import SOLVERS, System, solved
 from glsim.radiosity.textbook import monte_carlo
 from glsim.radiosity.visibility import Visibility
@@ -246,7 +248,7 @@ def test_blocked_pairs_against_monte_carlo() -> None:
     parts = subdivide(BUILT_IN["cornell"].make().checked(), 60)
     ours = compute(parts)
     free = compute(parts, "analytic").S
-    S, error = monte_carlo(parts, 3000, 1, lambda *_: None)
+    S, error = monte_carlo(parts, ours.visibility, 3000, 1, lambda *_: None)
     own = 0.06 * free  # where a pair is partly hidden, 16 rays, or 64, are off by half of 1 / sqrt(64)
     sure = error > 0
     apart = np.linalg.norm(parts.center[:, None] - parts.center, axis=2)
@@ -461,7 +463,7 @@ def test_vertices_where_light_changes_fast() -> None:
     mesh, mesh_fine = (mesh_of(factors.patches) for factors in (coarse, fine))
     bright = gathered(fine, mesh_fine, B_fine)[mesh_fine.corners]
     H = radiosity_at(fine, mesh.at, mesh.normals, np.zeros(len(mesh.at), int), B_fine) - fine.patches.E[0]
-    H = H / fine.patches.rho[0] + unevenness(fine.patches, mesh.at, mesh.normals, bright)
+    H = H / fine.patches.rho[0] + unevenness(fine, mesh.at, mesh.normals, bright)
     true = coarse.patches.E[mesh.patch] + coarse.patches.rho[mesh.patch] * H
     even = radiosity_at(coarse, mesh.at, mesh.normals, mesh.patch, B)
     dark = coarse.patches.E[mesh.patch].max(axis=1) == 0.0
@@ -517,6 +519,37 @@ def test_vertices_in_a_furnace() -> None:
     assert found.vertex_radiosity == pytest.approx(np.full(found.vertex_radiosity.shape, 2.0), rel=0.01)
     mean = averaged(found.patches, found.mesh, found.B)
     assert mean == pytest.approx(np.full(mean.shape, 2.0), rel=1e-3)
+
+
+def test_averages_are_weighted_by_area() -> None:
+    """However many triangles a patch is drawn as: here one of nine times the area lies beside three of one."""
+    b = Builder("strips")
+    wide, narrow = quad((0, 0, 0), (3, 0, 0), (3, 3, 0), (0, 3, 0)), quad((3, 0, 0), (4, 0, 0), (4, 1, 0), (3, 1, 0))
+    b.add([wide, *(np.add(narrow, (0, k, 0)) for k in range(3))], Material("lamp", (0.5,) * 3, (1.0,) * 3), smooth=True)
+    scene = b.scene().checked()
+    parts = patches_of(scene, list(scene.rings), range(4))
+    mesh = mesh_of(parts)
+    assert np.bincount(mesh.triangle_patch)[0] > 4  # a fan
+    B = np.array([[1.0], [2.0], [4.0], [8.0]]).repeat(3, axis=1)
+    mean = averaged(parts, mesh, B)
+    for y, expected in ((0.0, 11 / 10), (1.0, (9 + 2 + 4) / 11), (2.0, (9 + 4 + 8) / 11)):
+        at = np.flatnonzero((mesh.vertices == (3, y, 0)).all(axis=1))
+        assert mean[at] == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("more", [{"adaptive": True}, {"method": "hierarchical"}, {"method": "point"}])
+def test_one_thread_stays_one(more: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    """For all rays: of the form factors, of the vertices, of what is asked of the result."""
+    _compiled(more.get("method") == "hierarchical")
+    pools: list[int] = []
+
+    def pool(threads: int) -> ThreadPoolExecutor:
+        pools.append(threads)
+        return ThreadPoolExecutor(threads)
+
+    monkeypatch.setattr("glsim.radiosity.visibility.ThreadPoolExecutor", pool)
+    radiosity.solve("cornell", 120, threads=1, **more).direct()
+    assert set(pools) == {1}
 
 
 def test_tones() -> None:
@@ -884,6 +917,26 @@ def test_a_package_that_is_missing(package: str, words: str, folder: Path) -> No
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=folder, env=ENVIRONMENT)
     assert ran.returncode == 1
     assert ran.stderr.splitlines()[-1] == f"glsim: radiosity needs the package {package}: pip install glsim[radiosity]"
+
+
+def test_where_nothing_can_be_written_it_compiles_in_each_run() -> None:
+    """An installation that is read-only, and no home: numba has no folder for what it compiled."""
+    code = """
+import tempfile
+def refused(*arguments, **more):
+    raise PermissionError(30, "Read-only file system")
+tempfile.TemporaryFile = refused
+import numpy as np
+from glsim.radiosity import kernels, sweep, visibility
+print(kernels._area(np.eye(3), 3), kernels.kept(kernels._area), kernels.kept(kernels.rows))
+"""
+    for nowhere in ({}, {"NUMBA_CACHE_DIR": os.devnull}):
+        ran = subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, text=True, env={**ENVIRONMENT, **nowhere}
+        )
+        assert ran.returncode == 0, ran.stderr
+        assert ran.stdout.split() == [str(np.sqrt(3.0) / 2.0), "False", "False"]
+    assert kernels.kept(kernels.rows)
 
 
 def test_the_command_interrupted(

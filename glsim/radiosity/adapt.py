@@ -12,7 +12,6 @@ from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.quadtree import divided
 from glsim.radiosity.solvers import Factors, solved
-from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]
 ROUNDS = 8  # at most
@@ -43,5 +42,5 @@ def interpolation_error(factors: Factors) -> Float:
     at_corners = gathered(factors, mesh, B)[mesh.corners]
     between = np.where((patches.counts == 4)[:, None], at_corners.mean(axis=1), at_corners[:, :3].mean(axis=1))
     points = patches.center + 1e-6 * patches.scene.size * patches.normal
-    H = factors.at_points(Visibility(patches.scene), points, patches.normal, np.arange(len(patches)), B)
+    H = factors.at_points(points, patches.normal, np.arange(len(patches)), B)
     return np.asarray(np.abs(patches.E + patches.rho * H - between).max(axis=1))

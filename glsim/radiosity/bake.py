@@ -16,7 +16,6 @@ from glsim.radiosity.mesh import Mesh
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.solvers import Factors
 from glsim.radiosity.sweep import uneven
-from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
@@ -30,12 +29,11 @@ def radiosity_at(
     """Radiosity (k, 3) at points on the patches ``patch``: E + rho times the irradiance that all patches send there."""
     tell = progress or (lambda stage, done, of: None)
     patches = factors.patches
-    visibility = Visibility(patches.scene)
     raised = points + 1e-6 * patches.scene.size * normals
     H = np.empty((len(points), 3))
     for first in range(0, len(points), AT_ONCE):
         now = slice(first, min(first + AT_ONCE, len(points)))
-        H[now] = factors.at_points(visibility, raised[now], normals[now], patch[now], B)
+        H[now] = factors.at_points(raised[now], normals[now], patch[now], B)
         tell("vertices", now.stop, len(points))
     return np.asarray(patches.E[patch] + patches.rho[patch] * H)
 
@@ -46,17 +44,18 @@ def gathered(factors: Factors, mesh: Mesh, B: Float, progress: Progress | None =
     even = radiosity_at(factors, mesh.at, mesh.normals, mesh.patch, B, progress)
     shown = even
     for _ in range(2):  # the second with corners that the first has mended
-        added = unevenness(factors.patches, mesh.at, mesh.normals, shown[mesh.corners])
+        added = unevenness(factors, mesh.at, mesh.normals, shown[mesh.corners])
         shown = np.maximum(even + factors.patches.rho[mesh.patch] * added, 0.0)
     hidden = covered(factors.patches.scene, mesh.at, mesh.normals)  # nobody sees them, but the triangles around
     return np.where(hidden[:, None], averaged(factors.patches, mesh, B), shown)
 
 
-def unevenness(patches: Patches, points: Float, normals: Float, bright: Float) -> Float:
+def unevenness(factors: Factors, points: Float, normals: Float, bright: Float) -> Float:
     """What it adds to the irradiance at points (k, 3) that patches near them are as bright as ``bright`` (n, 4, 3)
     between their corners, and not evenly."""
     from scipy.spatial import cKDTree
 
+    patches = factors.patches
     points = points + 1e-6 * patches.scene.size * normals
     around = cKDTree(points).query_ball_point(patches.center, patches.size)
     columns = np.repeat(np.arange(len(patches)), [len(some) for some in around])
@@ -66,17 +65,18 @@ def unevenness(patches: Patches, points: Float, normals: Float, bright: Float) -
     near = np.flatnonzero(added.any(axis=1))
     rows, columns, added = rows[near], columns[near], added[near]
     many = np.zeros(len(rows), np.bool_)
-    seen = Visibility(patches.scene).from_points(points, normals, patches, rows, columns, many)
+    seen = factors.visibility.from_points(points, normals, patches, rows, columns, many)
     return np.stack([np.bincount(rows, seen * added[:, k], len(points)) for k in range(3)], axis=1)
 
 
 def averaged(patches: Patches, mesh: Mesh, B: Float) -> Float:
-    """Radiosity at the vertices as the mean of the patches around, by area: what textbooks teach first."""
-    total, weight = np.zeros((len(mesh.vertices), 3)), np.zeros(len(mesh.vertices))
-    for corner in range(3):
-        np.add.at(total, mesh.triangles[:, corner], B[mesh.triangle_patch])
-        np.add.at(weight, mesh.triangles[:, corner], 1.0)
-    return total / np.maximum(weight, 1.0)[:, None]
+    """Radiosity at the vertices as the mean of the patches around, by their areas: what textbooks teach first."""
+    vertex, patch = np.divmod(
+        np.unique(mesh.triangles.ravel() * len(patches) + np.repeat(mesh.triangle_patch, 3)), len(patches)
+    )
+    area = patches.area[patch]
+    weight = np.bincount(vertex, area, len(mesh.vertices))
+    return np.stack([np.bincount(vertex, area * B[patch, k], len(weight)) / weight for k in range(3)], axis=1)
 
 
 # ---------------------------------------------------------------- from radiosity to the screen

@@ -183,7 +183,7 @@ def surface_of(rings: list[Float], tolerance: float) -> Float | None:
 
 
 def _loop(edges: list[tuple[int, int]]) -> list[int]:
-    """The corners that follow each other along edges from the first one on, if that way comes back to where it began."""
+    """The corners that follow each other along edges from the first one on, if this comes back to the beginning."""
     after = dict(edges)
     way = [edges[0][0]] if edges else []
     while len(way) < len(after) and (following := after.get(way[-1])) is not None:

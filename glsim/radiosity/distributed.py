@@ -70,10 +70,13 @@ class Blocks:
     method = "contour"
     asymmetry = 0.0  # each pair is there once
 
-    def __init__(self, client: Any, patches: Patches, progress: Progress, name: str | None = None) -> None:
+    def __init__(
+        self, client: Any, patches: Patches, progress: Progress, name: str | None = None, threads: int | None = None
+    ) -> None:
         """name: under which the blocks stay on the cluster, and go on being made, if this program is interrupted; one
-        that asks for the same patches under any name finds them.  Raises SceneError if they would not fit."""
-        self.client, self.patches = client, patches
+        that asks for the same patches under any name finds them.  threads: for rays on this machine.  Raises SceneError
+        if they would not fit."""
+        self.client, self.patches, self.threads = client, patches, threads
         start = time.perf_counter()
         self._check_memory()
         self.starts = _starts(len(patches))
@@ -135,6 +138,13 @@ class Blocks:
         """(n,): 1 in a closed scene, less where light escapes."""
         return np.asarray(self.times(np.ones((len(self.patches), 3)))[:, 0] / self.patches.area)
 
+    @cached_property
+    def visibility(self) -> Visibility:
+        """Rays on this machine."""
+        from glsim.radiosity.visibility import Visibility
+
+        return Visibility(self.patches.scene, self.threads)
+
     def keep(self, checkpoint: str) -> None:
         """Leave the blocks on the workers under a name."""
         self.client.publish_dataset(self.blocks, name=checkpoint, override=True)
@@ -148,7 +158,7 @@ class Blocks:
         ]
         return np.asarray(np.concatenate(self._each(_row, above)) / self.patches.area[i], np.float64)
 
-    def at_points(self, visibility: Visibility, points: Float, ways: Float, patch: Int, B: Float) -> Float:
+    def at_points(self, points: Float, ways: Float, patch: Int, B: Float) -> Float:
         """Irradiance (k, 3) at points with normals ``ways``."""
         there = self.client.submit(_itself, B)
         parts = np.array_split(np.arange(len(points)), max(1, len(self.client.nthreads())))

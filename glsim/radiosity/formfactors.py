@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -41,9 +41,11 @@ METHODS = {
 
 @dataclass(frozen=True)
 class FormFactors:
-    """S: (n, n) float32, symmetric.  seconds: by stage.  error: (n, n) standard errors of S, for "monte-carlo"."""
+    """S: (n, n) float32, symmetric.  visibility: rays in the scene, for what is asked later.  seconds: by stage.
+    error: (n, n) standard errors of S, for "monte-carlo"."""
 
     patches: Patches
+    visibility: Visibility
     S: NDArray[np.float32]
     method: str
     seconds: dict[str, float] = field(default_factory=dict)
@@ -71,9 +73,9 @@ class FormFactors:
         product(self.S, np.ascontiguousarray(B), result)
         return result
 
-    def at_points(self, visibility: Visibility, points: Float, ways: Float, patch: Int, B: Float) -> Float:
+    def at_points(self, points: Float, ways: Float, patch: Int, B: Float) -> Float:
         """Irradiance (k, 3) at points with normals ``ways``, from all patches, whichever patch they are on."""
-        return irradiance(self.patches, visibility, points, ways, B)
+        return irradiance(self.patches, self.visibility, points, ways, B)
 
     @property
     def asymmetry(self) -> float:
@@ -94,7 +96,7 @@ class FormFactors:
         c = np.ones(len(area))
         for _ in range(rounds):
             c = np.sqrt(c * area / np.maximum(S @ c, 1e-300))
-        return FormFactors(self.patches, (c[:, None] * S * c).astype(np.float32), self.method, self.seconds)
+        return replace(self, S=(c[:, None] * S * c).astype(np.float32), error=None)
 
 
 def irradiance(patches: Patches, visibility: Visibility, points: Float, ways: Float, B: Float) -> Float:
@@ -147,9 +149,12 @@ def compute(
             f" {allowed / 2**30:.1f} GiB: take fewer patches (--patches), links (--method hierarchical) or a"
             " cluster (--scheduler)"
         )
+    from glsim.radiosity.visibility import Visibility
+
     tell = progress or (lambda stage, done, of: None)
+    visibility = Visibility(patches.scene, threads)
     if method in ("contour", "analytic"):
-        return _by_pairs(patches, method, exact, threads, tell, checkpoint)
+        return _by_pairs(patches, visibility, method, exact, tell, checkpoint)
     from glsim.radiosity.hemicube import hemicube
     from glsim.radiosity.textbook import disc_or_point, monte_carlo
 
@@ -158,10 +163,10 @@ def compute(
     if method == "hemicube":
         S = hemicube(patches, tell)
     elif method == "monte-carlo":
-        S, error = monte_carlo(patches, samples, seed, tell)
+        S, error = monte_carlo(patches, visibility, samples, seed, tell)
     else:
-        S = disc_or_point(patches, disc=method == "disc", progress=tell)
-    return FormFactors(patches, S, method, {"form factors": time.perf_counter() - start}, error)
+        S = disc_or_point(patches, visibility, disc=method == "disc", progress=tell)
+    return FormFactors(patches, visibility, S, method, {"form factors": time.perf_counter() - start}, error)
 
 
 def memory_of_machine() -> int:
@@ -173,15 +178,13 @@ def memory_of_machine() -> int:
 
 
 def _by_pairs(
-    patches: Patches, method: str, exact: bool, threads: int | None, tell: Progress, checkpoint: str | None
+    patches: Patches, visibility: Visibility, method: str, exact: bool, tell: Progress, checkpoint: str | None
 ) -> FormFactors:
     """Blocks of rows: first what would arrive if nothing were in between, then the share that does."""
-    from glsim.radiosity.visibility import Visibility
-
     n = len(patches)
     S = np.zeros((n, n), np.float32)
     seconds = {"form factors": 0.0, "visibility": 0.0}
-    visibility = Visibility(patches.scene, threads) if method == "contour" else None
+    blocking = visibility if method == "contour" else None
     of = n * (n - 1) // 2
     kept = Checkpoint(checkpoint, patches, f"{method} {exact}")
     before = kept.load().get("rows", S[:0])
@@ -190,7 +193,7 @@ def _by_pairs(
     try:
         while first < n:
             last = next_rows(n, first)
-            upper_rows(patches, visibility, first, last, exact, S[first:last], seconds)
+            upper_rows(patches, blocking, first, last, exact, S[first:last], seconds)
             first = last
             tell("form factors", of - (n - first) * (n - first - 1) // 2, of)
     except KeyboardInterrupt:
@@ -199,7 +202,7 @@ def _by_pairs(
     kept.remove()
     for k in range(0, n, 1024):  # the lower half is the upper one
         S[k:, k : k + 1024] += np.triu(S[k : k + 1024, k:], 1).T if k else np.triu(S[:1024], 1).T
-    return FormFactors(patches, S, method, seconds)
+    return FormFactors(patches, visibility, S, method, seconds)
 
 
 def next_rows(n: int, first: int, size: int | None = None) -> int:

@@ -112,9 +112,11 @@ def tree_of(scene: Scene, count: int) -> Tree:
 @dataclass(frozen=True)
 class Links:
     """ends: (k, 2) nodes; S: (k,) float32, A_p F_pq = A_q F_qp; tilt: (k, 2, 3) float32, how the form factor changes
-    over either end, see sweep.along_links.  patches: the elements.  seconds: by stage."""
+    over either end, see sweep.along_links.  visibility: rays in the scene, for what is asked later.  patches: the
+    elements.  seconds: by stage."""
 
     tree: Tree
+    visibility: Visibility
     ends: NDArray[np.int32]
     S: NDArray[np.float32]
     tilt: NDArray[np.float32]
@@ -153,7 +155,7 @@ class Links:
         alone[i] = 1.0
         return np.asarray(self.times(alone)[:, 0] / self.patches.area[i])
 
-    def at_points(self, visibility: Visibility, points: Float, ways: Float, patch: Int, B: Float) -> Float:
+    def at_points(self, points: Float, ways: Float, patch: Int, B: Float) -> Float:
         """Irradiance (k, 3) at points with normals ``ways`` on the elements ``patch``: from all nodes linked to the
         element or to what it is part of, each with its own form factor at the point."""
         from scipy.sparse import csr_matrix
@@ -172,9 +174,9 @@ class Links:
             return part[rows], columns, factors
 
         parts = np.array_split(np.arange(len(points)), 8)
-        rows, columns, factors = map(np.concatenate, zip(*visibility.pool.map(found, parts), strict=True))
+        rows, columns, factors = map(np.concatenate, zip(*self.visibility.pool.map(found, parts), strict=True))
         dim = factors < DIM / bright[columns]
-        factors *= visibility.from_points(points, ways, nodes, rows, columns, dim)
+        factors *= self.visibility.from_points(points, ways, nodes, rows, columns, dim)
         begin = np.searchsorted(rows, np.arange(len(points) + 1))
         return np.asarray(csr_matrix((factors, columns, begin), (len(points), len(nodes))) @ radiosity)
 
@@ -210,7 +212,7 @@ def linked(tree: Tree, accuracy: float = ACCURACY, threads: int | None = None, p
     start = time.perf_counter()
     mean = float(np.average(B.mean(axis=1), weights=roots.area))
     kept = _checkpoint(checkpoint, tree, accuracy)
-    refiner = _Refiner(tree, B, accuracy * mean, Visibility(nodes.scene, threads), kept.load())
+    refiner = _Refiner(tree, B, accuracy * mean, coarse.visibility, kept.load())
     pairs, allowed = len(refiner.open), limit if limit is not None else memory_of_machine() // 2
     try:
         while refiner.open:
@@ -228,7 +230,7 @@ def linked(tree: Tree, accuracy: float = ACCURACY, threads: int | None = None, p
     kept.remove()
     seconds = {"form factors": coarse.seconds["form factors"] + coarse.seconds["visibility"],
                "links": time.perf_counter() - start}  # fmt: skip
-    return Links(tree, *refiner.links(), accuracy, seconds)
+    return Links(tree, coarse.visibility, *refiner.links(), accuracy, seconds)
 
 
 def _checkpoint(path: str | None, tree: Tree, accuracy: float) -> Checkpoint:

@@ -30,16 +30,28 @@ Float = NDArray[np.float64]
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
-def jit(function: Function) -> Function:
-    """Compile; the result is kept on disk for the next run."""
-    compiled: Any = nb.njit(cache=True, nogil=True, error_model="numpy")(function)
+def _compiled(function: Function, **options: Any) -> Function:
+    try:
+        compiled: Any = nb.njit(cache=True, nogil=True, error_model="numpy", **options)(function)
+    except (RuntimeError, OSError):  # numba finds no folder that it may write into
+        compiled = nb.njit(nogil=True, error_model="numpy", **options)(function)
     return compiled  # type: ignore[no-any-return]
+
+
+def jit(function: Function) -> Function:
+    """Compile; the result is kept on disk for the next run, where a folder can be written: NUMBA_CACHE_DIR, glsim's own
+    or one in the user's home."""
+    return _compiled(function)
 
 
 def parallel(function: Function) -> Function:
     """The same with threads for nb.prange."""
-    compiled: Any = nb.njit(cache=True, nogil=True, error_model="numpy", parallel=True)(function)
-    return compiled  # type: ignore[no-any-return]
+    return _compiled(function, parallel=True)
+
+
+def kept(function: Any) -> bool:
+    """Whether what was compiled is kept for the next run."""
+    return bool(function.stats.cache_path)
 
 
 prange = nb.prange  # for others, so that the sentence above comes first

@@ -1,4 +1,4 @@
-"""Scenes for radiosity from mesh files and from what any program draws."""
+"""Scenes for radiosity by name, from mesh files, and from what any program draws (see program.py)."""
 
 from __future__ import annotations
 
@@ -12,13 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.names import did_you_mean
-from glsim.radiosity.scene import Builder, Material, Scene, SceneError, View, view_of
+from glsim.radiosity.scene import BRIGHTEST, Builder, Material, Scene, SceneError, view_of
 from glsim.radiosity.scenes import BUILT_IN
 from glsim.scenes.mesh import MeshError
 
 Float = NDArray[np.float64]
 CREASE = np.radians(40.0)  # flatter edges of a mesh are shaded round
-BRIGHTEST = 0.99  # reflectance: a file may say 1, and light would never end
 
 
 def scene_from(what: Any, materials: Mapping[str, Material] | None = None) -> Scene:
@@ -27,6 +26,7 @@ def scene_from(what: Any, materials: Mapping[str, Material] | None = None) -> Sc
     materials: instead of those of the same name.  Raises SceneError for what cannot be used.
     """
     from glsim.machine.frame import Frame
+    from glsim.radiosity.program import from_frame
 
     if isinstance(what, Scene):
         scene = what
@@ -115,57 +115,3 @@ def _material(mesh: Any, name: str) -> Material:
 def _unit(color: Any) -> Float:
     values = np.asarray(color, float)[:3]
     return values / 255.0 if np.asarray(color).dtype.kind in "ui" or values.max() > 1.0 else values
-
-
-# ---------------------------------------------------------------- programs
-
-
-def from_frame(frame: Any, name: str = "frame") -> Scene:
-    """The polygons of a Frame in eye space: k_d becomes rho, emission E; what is drawn unlit reflects its colour.
-
-    OpenGL's lights are left out: in radiosity light comes from surfaces, so something must have GL_EMISSION.
-    """
-    from glsim.machine.assembly import corners, outlines
-
-    b = Builder(Path(name).name)
-    view: View | None = None
-    for draw in frame.draws:
-        if corners(draw.mode) != 3 or not draw.count:
-            continue
-        count = draw.count if draw.indices is None else len(draw.indices)
-        rings, _ = outlines(draw.mode, count)
-        numbers = (np.arange(count) if draw.indices is None else draw.indices.astype(np.int64)) + draw.first
-        modelview = draw.matrices[0].get().astype(np.float64)
-        block = draw.block
-        points = np.concatenate([block.rows[:, :3], np.ones((len(block.rows), 1))], axis=1) @ modelview
-        view = view or _view_in(draw.matrices[1].get().astype(np.float64))
-        for ring in numbers[rings]:
-            b.add([points[ring, :3] / points[ring, 3:]], _surface_material(draw, int(ring[-1])))
-    if not b.rings:
-        raise SceneError(f"{name}: no polygons are drawn")
-    return b.scene(*([view] if view else []))
-
-
-def _surface_material(draw: Any, vertex: int) -> Material:
-    color = draw.color or tuple(draw.block.rows[vertex, 6:10].tolist())
-    rho, E = color[:3], (0.0, 0.0, 0.0)
-    if draw.state.lighting.enabled:
-        from glsim.machine.constants import GL_BACK
-        from glsim.machine.stage import TRACKED
-
-        face = draw.materials_at(np.array([vertex]))[0].front
-        lighting = draw.state.lighting
-        tracked: tuple[str, ...] = ()
-        if lighting.color_material and lighting.color_material_face != GL_BACK:
-            tracked = TRACKED.get(lighting.color_material_mode, ("emission",))
-        rho = color[:3] if "diffuse" in tracked else face.diffuse[:3]
-        E = color[:3] if "emission" in tracked else face.emission[:3]
-    r, g, b = (min(max(float(value), 0.0), BRIGHTEST) for value in rho)
-    name = f"k_d {r:.3g} {g:.3g} {b:.3g}" + (" emitting" if max(E) > 0.0 else "")
-    return Material(name, (r, g, b), (float(E[0]), float(E[1]), float(E[2])))
-
-
-def _view_in(projection: Float) -> View:
-    """The program's own camera: at the origin of eye space.  Column-first matrix."""
-    fov = float(np.degrees(2.0 * np.arctan(1.0 / projection[1, 1]))) if projection[2, 3] != 0.0 else 60.0
-    return View((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), fov=fov)

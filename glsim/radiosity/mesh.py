@@ -62,7 +62,7 @@ def _between(corners: Int, counts: Int, positions: Float, group: Int, unit: floa
     start, end = corners[patch, corner], corners[patch, (corner + 1) % counts[patch]]
     key = np.minimum(start, end) * len(positions) + np.maximum(start, end)
     _, inverse, times = np.unique(key, return_inverse=True, return_counts=True)
-    alone = np.flatnonzero(times[inverse] == 1)
+    alone = np.flatnonzero((times[inverse] == 1) & (start != end))
     start, end = start[alone], end[alone]
     ends = np.unique(np.concatenate([start, end]))
     middle, reach = (positions[start] + positions[end]) / 2.0, np.linalg.norm(positions[end] - positions[start], axis=1)

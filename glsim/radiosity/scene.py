@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 Float = NDArray[np.float64]
 Channels = tuple[float, float, float]
+BRIGHTEST = 0.99  # reflectance: a file or a program may say 1, and light would never end
 FLAT = 1e-5  # how far a corner may be from its polygon's plane, in diameters
 
 

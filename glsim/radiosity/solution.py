@@ -40,9 +40,11 @@ def solve(
     vertex) or "average" (of patches).  close: scale the form factors so that rows sum to 1, for closed scenes.  flip:
     turn all fronts to the other side.  checkpoint: see formfactors.compute.  scheduler: the address of a Dask scheduler
     on whose workers the form factors are found and used; checkpoint is then the name under which they stay there (see
-    distributed.Blocks).  Raises SceneError.
+    distributed.Blocks).  threads: for rays, by default one for each processor; the result does not depend on it.
+    Raises SceneError.
     """
     from glsim.radiosity.adapt import refined
+    from glsim.radiosity.kernels import kept, rows
     from glsim.radiosity.load import scene_from
 
     _check(method, vertices, adaptive, close, scheduler)
@@ -54,9 +56,10 @@ def solve(
         scene = scene_from(what)
         scene = (scene.flipped() if flip else scene).checked()
     with _timed(seconds, "compiled code"):
-        tell("compiling (only in the first run)", 0, 1)
+        once = "only in the first run" if kept(rows) else "in each run: set NUMBA_CACHE_DIR to a folder to keep it"
+        tell(f"compiling ({once})", 0, 1)
         _compiled(method == "hierarchical")
-        tell("compiling (only in the first run)", 1, 1)
+        tell(f"compiling ({once})", 1, 1)
     if method == "hierarchical":
         with _timed(seconds, "patches"):
             tree = tree_of(scene, patches)
@@ -108,7 +111,7 @@ def _finder(method: str, threads: int | None, scheduler: str | None, tell: Progr
     from glsim.radiosity.distributed import Blocks, connected
 
     client = connected(scheduler)
-    return lambda parts, name=None: Blocks(client, parts, tell, name)
+    return lambda parts, name=None: Blocks(client, parts, tell, name, threads)
 
 
 @contextmanager

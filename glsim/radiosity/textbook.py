@@ -13,12 +13,11 @@ from glsim.radiosity.visibility import Visibility
 Float = NDArray[np.float64]
 
 
-def disc_or_point(patches: Patches, disc: bool, progress: Progress) -> NDArray[np.float32]:
+def disc_or_point(patches: Patches, visibility: Visibility, disc: bool, progress: Progress) -> NDArray[np.float32]:
     """S from centre to centre: A_i A_j cos cos / (pi r^2), or with the other patch as a disc of its area,
     A_i A_j cos cos / (pi r^2 + A_j), in the mean of both directions.  One ray decides what is seen."""
     n = len(patches)
     S = np.zeros((n, n), np.float32)
-    visibility = Visibility(patches.scene)
     area = patches.area
     for i in range(n):
         way = patches.center[i + 1 :] - patches.center[i]
@@ -41,13 +40,12 @@ def disc_or_point(patches: Patches, disc: bool, progress: Progress) -> NDArray[n
 
 
 def monte_carlo(
-    patches: Patches, samples: int, seed: int, progress: Progress
+    patches: Patches, visibility: Visibility, samples: int, seed: int, progress: Progress
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """S as the mean of A_i A_j cos cos V / (pi r^2) over random points of both patches, and its standard errors."""
     n = len(patches)
     rng = np.random.default_rng(seed)
     S, error = np.zeros((n, n), np.float32), np.zeros((n, n), np.float32)
-    visibility = Visibility(patches.scene)
     for i in range(n):
         count = n - i - 1
         if not count:

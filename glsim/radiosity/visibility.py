@@ -1,14 +1,14 @@
 """How much of one patch another one sees: rays between low-discrepancy points, against the original polygons.
 
 The share of a pair's form factor that is not blocked is sum w V / sum w, over rays with the kernel's weights
-w = cos(theta_1) cos(theta_2) / r^2.  Sixteen rays first; where they disagree, 48 more, in groups of sixteen.  The points
-depend on the pair alone, so results are the same however many threads work.  Of few patches, all large, each pair gets
-twice as many.
+w = cos(theta_1) cos(theta_2) / r^2.  Sixteen rays first; where they disagree, 48 more, in groups of sixteen.  The
+points depend on the pair alone, so results are the same however many threads work.  Of few patches, all large, each
+pair gets twice as many.
 
-A small share, as through a distant door, is often missed by all of the first rays.  If that pair is taken as hidden, the
-others must make up for it: of the later groups only those count whose rays disagree too.  Then the mean over many pairs
-is right, whichever group had come first: a group that agrees would have ended the search, and one that does not would
-have been averaged with all that do not.
+A small share, as through a distant door, is often missed by all of the first rays.  Since that pair is then taken as
+hidden, the others must make up for it: of the later groups only those count whose rays disagree too.  So the mean over
+many pairs is right, whichever group comes first: a group that agrees would have ended the search, and one that does not
+would have been averaged with all that do not.
 """
 
 from __future__ import annotations
@@ -46,8 +46,8 @@ def _rays(
 ) -> None:  # fmt: skip
     """Rays first .. first + count of each pair: origins, ways (count per pair, 3) float32, and weights.
 
-    table: where each ray begins and ends, (rays, 4) in [0, 1), shifted for each pair; gap: both ends are so far in front
-    of the patches, which the ray so does not meet.
+    table: where each ray begins and ends, (rays, 4) in [0, 1), shifted for each pair; gap: how far in front of the
+    patches both ends are, so that the ray does not meet the patches themselves.
     """
     e, shift = np.empty((2, 4, 3)), np.empty(4)
     for row in range(len(pairs)):

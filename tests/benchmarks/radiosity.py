@@ -28,7 +28,6 @@ from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.patches import Patches, subdivide
 from glsim.radiosity.scenes import BUILT_IN
 from glsim.radiosity.solvers import solved
-from glsim.radiosity.visibility import Visibility
 
 
 def ours(parts: Patches) -> np.ndarray:
@@ -141,8 +140,8 @@ def vertices(counts: list[int], fine: int) -> None:
         mesh = mesh_of(parts)
         shown = gathered(factors, mesh, coarse)
         mean = averaged(parts, mesh, coarse)
-        H = many.at_points(Visibility(scene), mesh.at + 1e-6 * scene.size * mesh.normals, mesh.normals, mesh.patch, B)
-        H += unevenness(many.patches, mesh.at, mesh.normals, bright)
+        H = many.at_points(mesh.at + 1e-6 * scene.size * mesh.normals, mesh.normals, mesh.patch, B)
+        H += unevenness(many, mesh.at, mesh.normals, bright)
         true = parts.E[mesh.patch] + parts.rho[mesh.patch] * H
         lit = parts.E[mesh.patch].max(axis=1) == 0.0
 

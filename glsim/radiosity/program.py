@@ -1,0 +1,197 @@
+"""Scenes for radiosity from what a program draws: which side of a polygon reflects, and what is one smooth surface.
+
+OpenGL lights a polygon by its normals, whichever way its corners run, and culls it by its corners, whichever way its
+normals look.  Radiosity needs one front: the side to which the normals look, where the program gives them; else the
+side that GL_FRONT_FACE and GL_CULL_FACE let be seen.  Where these disagree, or say nothing, a note tells it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.radiosity.scene import BRIGHTEST, Builder, Material, Scene, SceneError, View, normal_of
+
+Float = NDArray[np.float64]
+Int = NDArray[np.int64]
+ACROSS = 0.5  # cosine: a normal that is less along a polygon's own says nothing of its front
+SAME = 1e-4  # of the scene's size, and of a unit normal: corners this near are one
+
+
+class Surface(NamedTuple):
+    """One polygon in eye space, its front counterclockwise.
+
+    ring, normals: (k, 3), the normals zeros where they tell nothing; material, back: of the other side, None if
+    only the front reflects; smooth: GL_SMOOTH; doubt: what tells too little of the front, a key of DOUBTS, or "".
+    """
+
+    ring: Float
+    normals: Float
+    material: Material
+    back: Material | None
+    smooth: bool
+    doubt: str
+
+
+DOUBTS = {
+    "against": "polygons whose normals look away from the side that winding and GL_FRONT_FACE make the front: normals"
+    " decided",
+    "unsaid": "polygons without fitting normals (glNormal) or GL_CULL_FACE: winding alone decided which side reflects",
+}
+
+
+def from_frame(frame: Any, name: str = "frame") -> Scene:
+    """The polygons of a Frame in eye space: k_d becomes rho, emission E; what is drawn unlit reflects its colour.
+
+    OpenGL's lights are left out: in radiosity light comes from surfaces, so something must have GL_EMISSION.  A sheet
+    that is lit with GL_LIGHT_MODEL_TWO_SIDE reflects on both sides.
+    """
+    from glsim.machine.assembly import corners
+
+    draws = [draw for draw in frame.draws if corners(draw.mode) == 3 and draw.count]
+    surfaces = [surface for draw in draws for surface in _surfaces(draw)]
+    if not surfaces:
+        raise SceneError(f"{name}: no polygons are drawn")
+    b = Builder(Path(name).name)
+    sheets = _open(surfaces)
+    for part in _parts(surfaces):
+        b.add([surfaces[k].ring for k in part], surfaces[part[0]].material, smooth=True)
+        for back in dict.fromkeys(surfaces[k].back for k in part if sheets[k]):
+            if back is not None:
+                b.add([surfaces[k].ring[::-1] for k in part if surfaces[k].back == back], back, smooth=True)
+    found = [surface.doubt for surface in surfaces]
+    notes = [f"{words}: {found.count(doubt)}" for doubt, words in DOUBTS.items() if doubt in found]
+    return replace(b.scene(_view_in(draws[0].matrices[1].get().astype(np.float64))), notes=tuple(notes))
+
+
+def _surfaces(draw: Any) -> list[Surface]:
+    from glsim.machine.assembly import outlines
+    from glsim.machine.constants import GL_CW, GL_FRONT, GL_SMOOTH
+
+    count = draw.count if draw.indices is None else len(draw.indices)
+    rings, _ = outlines(draw.mode, count)
+    numbers = (np.arange(count) if draw.indices is None else draw.indices.astype(np.int64)) + draw.first
+    modelview, projection = (matrix.get().astype(np.float64) for matrix in draw.matrices[:2])
+    rows = draw.block.rows[numbers].astype(np.float64)
+    points = np.c_[rows[:, :3], np.ones(len(rows))] @ modelview
+    points = points[:, :3] / points[:, 3:]
+    polygon, lighting = draw.state.polygon, draw.state.lighting
+    given = rows[:, 3:6]
+    normals = _normals(given, modelview)
+    # all the initial one, or without lighting one left from elsewhere: these may confirm, but not decide
+    left = (given == (0.0, 0.0, 1.0)).all() or (not lighting.enabled and (given == given[0]).all())
+    shown = polygon.front_face != GL_CW  # whether the side from which corners run counterclockwise is the front
+    shown ^= bool(np.linalg.det(projection[:2, :2]) < 0.0)  # the projection is a mirror
+    shown ^= polygon.cull and polygon.cull_face == GL_FRONT  # only backs are seen
+    both = lighting.enabled and lighting.two_side and not polygon.cull
+    ways = np.array([normal_of(points[ring]) for ring in rings])
+    along = np.einsum("nk,nk->n", normals[rings].mean(axis=1), ways)
+    told = (np.abs(along) > ACROSS) & ~(left & ((along > 0.0) != shown))
+    votes = along[told] if not left else along[:0]
+    usual = bool(votes.sum() > 0.0) if len(votes) else shown  # what tells nothing follows the others
+    unsaid = not len(votes) and not polygon.cull and not both
+    found = []
+    for ring, way, sure, outwards in zip(rings, ways, told, along > 0.0, strict=True):
+        front = outwards if sure else usual
+        doubt = "against" if front != shown else "unsaid" if unsaid and way.any() and not sure else ""
+        order = slice(None) if front else slice(None, None, -1)
+        sides = _materials(draw, int(numbers[ring[-1]]))
+        found.append(
+            Surface(points[ring][order], normals[ring][order] * sure, sides[0], sides[1] if both else None,
+                    lighting.shade_model == GL_SMOOTH, doubt)
+        )  # fmt: skip
+    return found
+
+
+def _normals(given: Float, modelview: Float) -> Float:
+    """Unit normals (n, 3) in eye space; zeros where the matrix has no inverse: what is as flat as a shadow."""
+    try:
+        normals = given @ np.linalg.inv(modelview)[:3, :3].T
+    except np.linalg.LinAlgError:
+        return np.zeros_like(given)
+    return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300))
+
+
+def _materials(draw: Any, vertex: int) -> tuple[Material, Material]:
+    """Of the front and of the back."""
+    color = draw.color or tuple(draw.block.rows[vertex, 6:10].tolist())
+    lighting = draw.state.lighting
+    if not lighting.enabled:
+        return (_material(color, (0.0, 0.0, 0.0)),) * 2
+    from glsim.gl.stage import TRACKED
+    from glsim.machine.constants import GL_BACK, GL_FRONT
+
+    sides = draw.materials_at(np.array([vertex]))[0]
+    found = []
+    for side, other in ((sides.front, GL_BACK), (sides.back, GL_FRONT)):
+        tracked: tuple[str, ...] = ()
+        if lighting.color_material and lighting.color_material_face != other:
+            tracked = TRACKED.get(lighting.color_material_mode, ("emission",))
+        rho = color if "diffuse" in tracked else side.diffuse
+        found.append(_material(rho, color if "emission" in tracked else side.emission))
+    return found[0], found[1]
+
+
+def _material(rho: Any, emission: Any) -> Material:
+    r, g, b = (min(max(float(value), 0.0), BRIGHTEST) for value in rho[:3])
+    E = (float(emission[0]), float(emission[1]), float(emission[2]))
+    name = f"k_d {r:.3g} {g:.3g} {b:.3g}" + (" emitting" if max(E) > 0.0 else "")
+    return Material(name, (r, g, b), E)
+
+
+def _view_in(projection: Float) -> View:
+    """The program's own camera: at the origin of eye space.  Column-first matrix."""
+    fov = float(np.degrees(2.0 * np.arctan(1.0 / projection[1, 1]))) if projection[2, 3] != 0.0 else 60.0
+    return View((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), fov=fov)
+
+
+# ---------------------------------------------------------------- what belongs together
+
+
+def _corners(surfaces: list[Surface]) -> tuple[Int, Int]:
+    """Of all corners, one after the other: the number of the polygon, and of the place."""
+    points = np.concatenate([surface.ring for surface in surfaces])
+    unit = SAME * max(float(np.linalg.norm(np.ptp(points, axis=0))), 1e-300)
+    owner = np.repeat(np.arange(len(surfaces)), [len(surface.ring) for surface in surfaces])
+    return owner, np.unique(np.round(points / unit), axis=0, return_inverse=True)[1].ravel()
+
+
+def _parts(surfaces: list[Surface]) -> list[list[int]]:
+    """Numbers of polygons that are one smooth surface: of one material, sharing a corner and the normal there."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    owner, place = _corners(surfaces)
+    normals = np.concatenate([surface.normals for surface in surfaces])
+    kinds = {material: k for k, material in enumerate(dict.fromkeys(surface.material for surface in surfaces))}
+    kind = np.array([kinds[surface.material] for surface in surfaces])[owner]
+    keys = np.c_[place, kind, np.round(normals / SAME)]
+    _, key = np.unique(keys, axis=0, return_inverse=True)
+    smooth = normals.any(axis=1) & np.array([surface.smooth for surface in surfaces])[owner]
+    n = len(surfaces)
+    edges = owner[smooth], n + key.ravel()[smooth]
+    graph = coo_matrix((np.ones(len(edges[0])), edges), shape=(n + len(keys),) * 2)
+    label = connected_components(graph, directed=False)[1][:n].tolist()
+    parts: dict[int, list[int]] = {}
+    for surface, number in enumerate(label):
+        parts.setdefault(number, []).append(surface)
+    return list(parts.values())
+
+
+def _open(surfaces: list[Surface]) -> NDArray[np.bool_]:
+    """Whether a polygon has an edge that no other one runs along in the opposite direction, or hangs together with one
+    that has: a sheet, and not the surface of a body."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    owner, place = _corners(surfaces)
+    following = np.concatenate([np.roll(part, -1) for part in np.split(place, np.flatnonzero(np.diff(owner)) + 1)])
+    n, many = len(surfaces), len(place)
+    label = connected_components(coo_matrix((np.ones(many), (owner, n + place)), shape=(n + many,) * 2), False)[1]
+    real = place != following  # a pole's edges may have no length
+    alone = ~np.isin(following * many + place, place * many + following) & real
+    return np.asarray(np.isin(label[:n], label[owner[alone]]))
