@@ -9,8 +9,6 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
-from ctypes import ArgumentError
-from struct import error as StructError  # noqa: N812
 from typing import Any
 
 import numpy as np
@@ -20,13 +18,11 @@ from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
 from glsim.machine.current import on_switch
-from glsim.machine.errors import GLError, explain
+from glsim.machine.errors import explain, explained, show
 from glsim.machine.types import SUFFIXES
 
 Function = Callable[..., Any]
 m: Any
-errors = (GLError, TypeError, ValueError, OverflowError, IndexError, NotImplementedError, StructError, ArgumentError)
-explained = explain  # the template's names: m, errors, explained
 
 
 def _switch(machine: Any) -> None:
@@ -43,8 +39,8 @@ def bind(name, body):
             return m.{route}(name, ({tuple}))
         try:
             return body(m{call})
-        except errors as error:
-            raise explained(error, name, ({tuple})) from None
+        except Exception as error:
+            raise explain(error, name, ({tuple})) from None
     return command
 """
 _binders: dict[tuple[int, bool], Function] = {}
@@ -147,7 +143,7 @@ def suffix_free(family: str, functions: dict[str, Function]) -> Function:
     call.__name__ = call.__qualname__ = family
     call.__module__ = "glsim.gl"
     call.__doc__ = f"{family} with any number type and count: {', '.join(row.name for row in rows[:4])}, ..."
-    return call
+    return explained(family, call)
 
 
 def _suffix_free_parameter(family: str, functions: dict[str, Function]) -> Function:
@@ -206,7 +202,7 @@ def _typed_image(function: Function, gl_type: int, leading: int) -> Function:
         *before, format, pixels = arguments
         size = np.shape(pixels)[:dimensions]
         if len(size) < dimensions:
-            raise ValueError(f"{function.__name__}: an array of {dimensions} or more dimensions is needed")
+            raise ValueError(f"pixels must be an array of {dimensions} or more dimensions, not {show(pixels)}")
         return function(*before[:leading], *size, *before[leading:], format, gl_type, pixels)
 
     return call
@@ -244,4 +240,4 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
             made[f"{name}{suffix}"] = _typed_image(functions[name], gl_type, leading)
     for name, function in made.items():
         function.__name__ = function.__qualname__ = name
-    return made
+    return {name: explained(name, function) for name, function in made.items()}

@@ -14,7 +14,6 @@ from glsim.machine.current import on_switch
 from glsim.machine.errors import explain
 
 row = Struct("10f").pack
-BAD = (TypeError, ValueError, OverflowError, IndexError, struct_error)
 Numbers = Sequence[Any]
 m: Any
 
@@ -33,7 +32,7 @@ def _misuse(name: str, arguments: tuple[Any, ...], error: Exception) -> Exceptio
         for what, value in (("normal", (m.nx, m.ny, m.nz)), ("color", (m.red, m.green, m.blue, m.alpha))):
             try:
                 Struct(f"{len(value)}f").pack(*value)
-            except BAD:
+            except struct_error:
                 return TypeError(f"{name}: the current {what} (gl{what.title()}) is not made of numbers: {value!r}")
     return explain(error, name, arguments)
 
@@ -47,7 +46,7 @@ def glVertex2s(x: int, y: int) -> None:
         return m.recorder("glVertex2s", (x, y))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex2s", (x, y), error) from None
 
 
@@ -57,7 +56,7 @@ def glVertex2sv(v: Numbers) -> None:
     try:
         x, y = v
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex2sv", (v,), error) from None
 
 
@@ -66,7 +65,7 @@ def glVertex2i(x: int, y: int) -> None:
         return m.recorder("glVertex2i", (x, y))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex2i", (x, y), error) from None
 
 
@@ -76,7 +75,7 @@ def glVertex2iv(v: Numbers) -> None:
     try:
         x, y = v
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex2iv", (v,), error) from None
 
 
@@ -85,7 +84,7 @@ def glVertex2f(x: float, y: float) -> None:
         return m.recorder("glVertex2f", (x, y))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex2f", (x, y), error) from None
 
 
@@ -95,7 +94,7 @@ def glVertex2fv(v: Numbers) -> None:
     try:
         x, y = v
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex2fv", (v,), error) from None
 
 
@@ -104,7 +103,7 @@ def glVertex2d(x: float, y: float) -> None:
         return m.recorder("glVertex2d", (x, y))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex2d", (x, y), error) from None
 
 
@@ -114,7 +113,7 @@ def glVertex2dv(v: Numbers) -> None:
     try:
         x, y = v
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex2dv", (v,), error) from None
 
 
@@ -123,7 +122,7 @@ def glVertex3s(x: int, y: int, z: int) -> None:
         return m.recorder("glVertex3s", (x, y, z))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex3s", (x, y, z), error) from None
 
 
@@ -133,7 +132,7 @@ def glVertex3sv(v: Numbers) -> None:
     try:
         x, y, z = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex3sv", (v,), error) from None
 
 
@@ -142,7 +141,7 @@ def glVertex3i(x: int, y: int, z: int) -> None:
         return m.recorder("glVertex3i", (x, y, z))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex3i", (x, y, z), error) from None
 
 
@@ -152,7 +151,7 @@ def glVertex3iv(v: Numbers) -> None:
     try:
         x, y, z = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex3iv", (v,), error) from None
 
 
@@ -161,7 +160,7 @@ def glVertex3f(x: float, y: float, z: float) -> None:
         return m.recorder("glVertex3f", (x, y, z))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex3f", (x, y, z), error) from None
 
 
@@ -171,7 +170,7 @@ def glVertex3fv(v: Numbers) -> None:
     try:
         x, y, z = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex3fv", (v,), error) from None
 
 
@@ -180,7 +179,7 @@ def glVertex3d(x: float, y: float, z: float) -> None:
         return m.recorder("glVertex3d", (x, y, z))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex3d", (x, y, z), error) from None
 
 
@@ -190,7 +189,7 @@ def glVertex3dv(v: Numbers) -> None:
     try:
         x, y, z = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex3dv", (v,), error) from None
 
 
@@ -201,7 +200,7 @@ def glVertex4s(x: int, y: int, z: int, w: int) -> None:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex4s", (x, y, z, w), error) from None
 
 
@@ -213,7 +212,7 @@ def glVertex4sv(v: Numbers) -> None:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex4sv", (v,), error) from None
 
 
@@ -224,7 +223,7 @@ def glVertex4i(x: int, y: int, z: int, w: int) -> None:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex4i", (x, y, z, w), error) from None
 
 
@@ -236,7 +235,7 @@ def glVertex4iv(v: Numbers) -> None:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex4iv", (v,), error) from None
 
 
@@ -247,7 +246,7 @@ def glVertex4f(x: float, y: float, z: float, w: float) -> None:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex4f", (x, y, z, w), error) from None
 
 
@@ -259,7 +258,7 @@ def glVertex4fv(v: Numbers) -> None:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex4fv", (v,), error) from None
 
 
@@ -270,7 +269,7 @@ def glVertex4d(x: float, y: float, z: float, w: float) -> None:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex4d", (x, y, z, w), error) from None
 
 
@@ -282,7 +281,7 @@ def glVertex4dv(v: Numbers) -> None:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glVertex4dv", (v,), error) from None
 
 
@@ -293,7 +292,7 @@ def glNormal3b(nx: int, ny: int, nz: int) -> None:
         m.nx = (2 * nx + 1) / 255.0
         m.ny = (2 * ny + 1) / 255.0
         m.nz = (2 * nz + 1) / 255.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glNormal3b", (nx, ny, nz), error) from None
 
 
@@ -305,7 +304,7 @@ def glNormal3bv(v: Numbers) -> None:
         m.nx = (2 * nx + 1) / 255.0
         m.ny = (2 * ny + 1) / 255.0
         m.nz = (2 * nz + 1) / 255.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glNormal3bv", (v,), error) from None
 
 
@@ -316,7 +315,7 @@ def glNormal3s(nx: int, ny: int, nz: int) -> None:
         m.nx = (2 * nx + 1) / 65535.0
         m.ny = (2 * ny + 1) / 65535.0
         m.nz = (2 * nz + 1) / 65535.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glNormal3s", (nx, ny, nz), error) from None
 
 
@@ -328,7 +327,7 @@ def glNormal3sv(v: Numbers) -> None:
         m.nx = (2 * nx + 1) / 65535.0
         m.ny = (2 * ny + 1) / 65535.0
         m.nz = (2 * nz + 1) / 65535.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glNormal3sv", (v,), error) from None
 
 
@@ -339,7 +338,7 @@ def glNormal3i(nx: int, ny: int, nz: int) -> None:
         m.nx = (2 * nx + 1) / 4294967295.0
         m.ny = (2 * ny + 1) / 4294967295.0
         m.nz = (2 * nz + 1) / 4294967295.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glNormal3i", (nx, ny, nz), error) from None
 
 
@@ -351,7 +350,7 @@ def glNormal3iv(v: Numbers) -> None:
         m.nx = (2 * nx + 1) / 4294967295.0
         m.ny = (2 * ny + 1) / 4294967295.0
         m.nz = (2 * nz + 1) / 4294967295.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glNormal3iv", (v,), error) from None
 
 
@@ -362,7 +361,7 @@ def glNormal3f(nx: float, ny: float, nz: float) -> None:
         m.nx = nx
         m.ny = ny
         m.nz = nz
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glNormal3f", (nx, ny, nz), error) from None
 
 
@@ -374,7 +373,7 @@ def glNormal3fv(v: Numbers) -> None:
         m.nx = nx
         m.ny = ny
         m.nz = nz
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glNormal3fv", (v,), error) from None
 
 
@@ -385,7 +384,7 @@ def glNormal3d(nx: float, ny: float, nz: float) -> None:
         m.nx = nx
         m.ny = ny
         m.nz = nz
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glNormal3d", (nx, ny, nz), error) from None
 
 
@@ -397,7 +396,7 @@ def glNormal3dv(v: Numbers) -> None:
         m.nx = nx
         m.ny = ny
         m.nz = nz
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glNormal3dv", (v,), error) from None
 
 
@@ -409,7 +408,7 @@ def glColor3b(red: int, green: int, blue: int) -> None:
         m.green = (2 * green + 1) / 255.0
         m.blue = (2 * blue + 1) / 255.0
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3b", (red, green, blue), error) from None
 
 
@@ -422,7 +421,7 @@ def glColor3bv(v: Numbers) -> None:
         m.green = (2 * green + 1) / 255.0
         m.blue = (2 * blue + 1) / 255.0
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3bv", (v,), error) from None
 
 
@@ -434,7 +433,7 @@ def glColor3s(red: int, green: int, blue: int) -> None:
         m.green = (2 * green + 1) / 65535.0
         m.blue = (2 * blue + 1) / 65535.0
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3s", (red, green, blue), error) from None
 
 
@@ -447,7 +446,7 @@ def glColor3sv(v: Numbers) -> None:
         m.green = (2 * green + 1) / 65535.0
         m.blue = (2 * blue + 1) / 65535.0
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3sv", (v,), error) from None
 
 
@@ -459,7 +458,7 @@ def glColor3i(red: int, green: int, blue: int) -> None:
         m.green = (2 * green + 1) / 4294967295.0
         m.blue = (2 * blue + 1) / 4294967295.0
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3i", (red, green, blue), error) from None
 
 
@@ -472,7 +471,7 @@ def glColor3iv(v: Numbers) -> None:
         m.green = (2 * green + 1) / 4294967295.0
         m.blue = (2 * blue + 1) / 4294967295.0
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3iv", (v,), error) from None
 
 
@@ -484,7 +483,7 @@ def glColor3f(red: float, green: float, blue: float) -> None:
         m.green = green
         m.blue = blue
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3f", (red, green, blue), error) from None
 
 
@@ -497,7 +496,7 @@ def glColor3fv(v: Numbers) -> None:
         m.green = green
         m.blue = blue
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3fv", (v,), error) from None
 
 
@@ -509,7 +508,7 @@ def glColor3d(red: float, green: float, blue: float) -> None:
         m.green = green
         m.blue = blue
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3d", (red, green, blue), error) from None
 
 
@@ -522,7 +521,7 @@ def glColor3dv(v: Numbers) -> None:
         m.green = green
         m.blue = blue
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3dv", (v,), error) from None
 
 
@@ -534,7 +533,7 @@ def glColor3ub(red: int, green: int, blue: int) -> None:
         m.green = (green & 255) / 255.0
         m.blue = (blue & 255) / 255.0
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3ub", (red, green, blue), error) from None
 
 
@@ -547,7 +546,7 @@ def glColor3ubv(v: Numbers) -> None:
         m.green = (green & 255) / 255.0
         m.blue = (blue & 255) / 255.0
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3ubv", (v,), error) from None
 
 
@@ -559,7 +558,7 @@ def glColor3us(red: int, green: int, blue: int) -> None:
         m.green = (green & 65535) / 65535.0
         m.blue = (blue & 65535) / 65535.0
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3us", (red, green, blue), error) from None
 
 
@@ -572,7 +571,7 @@ def glColor3usv(v: Numbers) -> None:
         m.green = (green & 65535) / 65535.0
         m.blue = (blue & 65535) / 65535.0
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3usv", (v,), error) from None
 
 
@@ -584,7 +583,7 @@ def glColor3ui(red: int, green: int, blue: int) -> None:
         m.green = (green & 4294967295) / 4294967295.0
         m.blue = (blue & 4294967295) / 4294967295.0
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3ui", (red, green, blue), error) from None
 
 
@@ -597,7 +596,7 @@ def glColor3uiv(v: Numbers) -> None:
         m.green = (green & 4294967295) / 4294967295.0
         m.blue = (blue & 4294967295) / 4294967295.0
         m.alpha = 1.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor3uiv", (v,), error) from None
 
 
@@ -609,7 +608,7 @@ def glColor4b(red: int, green: int, blue: int, alpha: int) -> None:
         m.green = (2 * green + 1) / 255.0
         m.blue = (2 * blue + 1) / 255.0
         m.alpha = (2 * alpha + 1) / 255.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4b", (red, green, blue, alpha), error) from None
 
 
@@ -622,7 +621,7 @@ def glColor4bv(v: Numbers) -> None:
         m.green = (2 * green + 1) / 255.0
         m.blue = (2 * blue + 1) / 255.0
         m.alpha = (2 * alpha + 1) / 255.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4bv", (v,), error) from None
 
 
@@ -634,7 +633,7 @@ def glColor4s(red: int, green: int, blue: int, alpha: int) -> None:
         m.green = (2 * green + 1) / 65535.0
         m.blue = (2 * blue + 1) / 65535.0
         m.alpha = (2 * alpha + 1) / 65535.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4s", (red, green, blue, alpha), error) from None
 
 
@@ -647,7 +646,7 @@ def glColor4sv(v: Numbers) -> None:
         m.green = (2 * green + 1) / 65535.0
         m.blue = (2 * blue + 1) / 65535.0
         m.alpha = (2 * alpha + 1) / 65535.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4sv", (v,), error) from None
 
 
@@ -659,7 +658,7 @@ def glColor4i(red: int, green: int, blue: int, alpha: int) -> None:
         m.green = (2 * green + 1) / 4294967295.0
         m.blue = (2 * blue + 1) / 4294967295.0
         m.alpha = (2 * alpha + 1) / 4294967295.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4i", (red, green, blue, alpha), error) from None
 
 
@@ -672,7 +671,7 @@ def glColor4iv(v: Numbers) -> None:
         m.green = (2 * green + 1) / 4294967295.0
         m.blue = (2 * blue + 1) / 4294967295.0
         m.alpha = (2 * alpha + 1) / 4294967295.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4iv", (v,), error) from None
 
 
@@ -684,7 +683,7 @@ def glColor4f(red: float, green: float, blue: float, alpha: float) -> None:
         m.green = green
         m.blue = blue
         m.alpha = alpha
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4f", (red, green, blue, alpha), error) from None
 
 
@@ -697,7 +696,7 @@ def glColor4fv(v: Numbers) -> None:
         m.green = green
         m.blue = blue
         m.alpha = alpha
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4fv", (v,), error) from None
 
 
@@ -709,7 +708,7 @@ def glColor4d(red: float, green: float, blue: float, alpha: float) -> None:
         m.green = green
         m.blue = blue
         m.alpha = alpha
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4d", (red, green, blue, alpha), error) from None
 
 
@@ -722,7 +721,7 @@ def glColor4dv(v: Numbers) -> None:
         m.green = green
         m.blue = blue
         m.alpha = alpha
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4dv", (v,), error) from None
 
 
@@ -734,7 +733,7 @@ def glColor4ub(red: int, green: int, blue: int, alpha: int) -> None:
         m.green = (green & 255) / 255.0
         m.blue = (blue & 255) / 255.0
         m.alpha = (alpha & 255) / 255.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4ub", (red, green, blue, alpha), error) from None
 
 
@@ -747,7 +746,7 @@ def glColor4ubv(v: Numbers) -> None:
         m.green = (green & 255) / 255.0
         m.blue = (blue & 255) / 255.0
         m.alpha = (alpha & 255) / 255.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4ubv", (v,), error) from None
 
 
@@ -759,7 +758,7 @@ def glColor4us(red: int, green: int, blue: int, alpha: int) -> None:
         m.green = (green & 65535) / 65535.0
         m.blue = (blue & 65535) / 65535.0
         m.alpha = (alpha & 65535) / 65535.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4us", (red, green, blue, alpha), error) from None
 
 
@@ -772,7 +771,7 @@ def glColor4usv(v: Numbers) -> None:
         m.green = (green & 65535) / 65535.0
         m.blue = (blue & 65535) / 65535.0
         m.alpha = (alpha & 65535) / 65535.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4usv", (v,), error) from None
 
 
@@ -784,7 +783,7 @@ def glColor4ui(red: int, green: int, blue: int, alpha: int) -> None:
         m.green = (green & 4294967295) / 4294967295.0
         m.blue = (blue & 4294967295) / 4294967295.0
         m.alpha = (alpha & 4294967295) / 4294967295.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4ui", (red, green, blue, alpha), error) from None
 
 
@@ -797,7 +796,7 @@ def glColor4uiv(v: Numbers) -> None:
         m.green = (green & 4294967295) / 4294967295.0
         m.blue = (blue & 4294967295) / 4294967295.0
         m.alpha = (alpha & 4294967295) / 4294967295.0
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glColor4uiv", (v,), error) from None
 
 
@@ -806,7 +805,7 @@ def glTexCoord1s(s: int) -> None:
         return m.recorder("glTexCoord1s", (s,))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord1s", (s,), error) from None
 
 
@@ -816,7 +815,7 @@ def glTexCoord1sv(v: Numbers) -> None:
     try:
         s = _first(v)
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord1sv", (v,), error) from None
 
 
@@ -825,7 +824,7 @@ def glTexCoord1i(s: int) -> None:
         return m.recorder("glTexCoord1i", (s,))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord1i", (s,), error) from None
 
 
@@ -835,7 +834,7 @@ def glTexCoord1iv(v: Numbers) -> None:
     try:
         s = _first(v)
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord1iv", (v,), error) from None
 
 
@@ -844,7 +843,7 @@ def glTexCoord1f(s: float) -> None:
         return m.recorder("glTexCoord1f", (s,))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord1f", (s,), error) from None
 
 
@@ -854,7 +853,7 @@ def glTexCoord1fv(v: Numbers) -> None:
     try:
         s = _first(v)
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord1fv", (v,), error) from None
 
 
@@ -863,7 +862,7 @@ def glTexCoord1d(s: float) -> None:
         return m.recorder("glTexCoord1d", (s,))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord1d", (s,), error) from None
 
 
@@ -873,7 +872,7 @@ def glTexCoord1dv(v: Numbers) -> None:
     try:
         s = _first(v)
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord1dv", (v,), error) from None
 
 
@@ -882,7 +881,7 @@ def glTexCoord2s(s: int, t: int) -> None:
         return m.recorder("glTexCoord2s", (s, t))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord2s", (s, t), error) from None
 
 
@@ -892,7 +891,7 @@ def glTexCoord2sv(v: Numbers) -> None:
     try:
         s, t = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord2sv", (v,), error) from None
 
 
@@ -901,7 +900,7 @@ def glTexCoord2i(s: int, t: int) -> None:
         return m.recorder("glTexCoord2i", (s, t))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord2i", (s, t), error) from None
 
 
@@ -911,7 +910,7 @@ def glTexCoord2iv(v: Numbers) -> None:
     try:
         s, t = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord2iv", (v,), error) from None
 
 
@@ -920,7 +919,7 @@ def glTexCoord2f(s: float, t: float) -> None:
         return m.recorder("glTexCoord2f", (s, t))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord2f", (s, t), error) from None
 
 
@@ -930,7 +929,7 @@ def glTexCoord2fv(v: Numbers) -> None:
     try:
         s, t = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord2fv", (v,), error) from None
 
 
@@ -939,7 +938,7 @@ def glTexCoord2d(s: float, t: float) -> None:
         return m.recorder("glTexCoord2d", (s, t))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord2d", (s, t), error) from None
 
 
@@ -949,7 +948,7 @@ def glTexCoord2dv(v: Numbers) -> None:
     try:
         s, t = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord2dv", (v,), error) from None
 
 
@@ -958,7 +957,7 @@ def glTexCoord3s(s: int, t: int, r: int) -> None:
         return m.recorder("glTexCoord3s", (s, t, r))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord3s", (s, t, r), error) from None
 
 
@@ -968,7 +967,7 @@ def glTexCoord3sv(v: Numbers) -> None:
     try:
         s, t, r = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord3sv", (v,), error) from None
 
 
@@ -977,7 +976,7 @@ def glTexCoord3i(s: int, t: int, r: int) -> None:
         return m.recorder("glTexCoord3i", (s, t, r))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord3i", (s, t, r), error) from None
 
 
@@ -987,7 +986,7 @@ def glTexCoord3iv(v: Numbers) -> None:
     try:
         s, t, r = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord3iv", (v,), error) from None
 
 
@@ -996,7 +995,7 @@ def glTexCoord3f(s: float, t: float, r: float) -> None:
         return m.recorder("glTexCoord3f", (s, t, r))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord3f", (s, t, r), error) from None
 
 
@@ -1006,7 +1005,7 @@ def glTexCoord3fv(v: Numbers) -> None:
     try:
         s, t, r = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord3fv", (v,), error) from None
 
 
@@ -1015,7 +1014,7 @@ def glTexCoord3d(s: float, t: float, r: float) -> None:
         return m.recorder("glTexCoord3d", (s, t, r))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord3d", (s, t, r), error) from None
 
 
@@ -1025,7 +1024,7 @@ def glTexCoord3dv(v: Numbers) -> None:
     try:
         s, t, r = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord3dv", (v,), error) from None
 
 
@@ -1034,7 +1033,7 @@ def glTexCoord4s(s: int, t: int, r: int, q: int) -> None:
         return m.recorder("glTexCoord4s", (s, t, r, q))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord4s", (s, t, r, q), error) from None
 
 
@@ -1044,7 +1043,7 @@ def glTexCoord4sv(v: Numbers) -> None:
     try:
         s, t, r, q = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord4sv", (v,), error) from None
 
 
@@ -1053,7 +1052,7 @@ def glTexCoord4i(s: int, t: int, r: int, q: int) -> None:
         return m.recorder("glTexCoord4i", (s, t, r, q))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord4i", (s, t, r, q), error) from None
 
 
@@ -1063,7 +1062,7 @@ def glTexCoord4iv(v: Numbers) -> None:
     try:
         s, t, r, q = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord4iv", (v,), error) from None
 
 
@@ -1072,7 +1071,7 @@ def glTexCoord4f(s: float, t: float, r: float, q: float) -> None:
         return m.recorder("glTexCoord4f", (s, t, r, q))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord4f", (s, t, r, q), error) from None
 
 
@@ -1082,7 +1081,7 @@ def glTexCoord4fv(v: Numbers) -> None:
     try:
         s, t, r, q = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord4fv", (v,), error) from None
 
 
@@ -1091,7 +1090,7 @@ def glTexCoord4d(s: float, t: float, r: float, q: float) -> None:
         return m.recorder("glTexCoord4d", (s, t, r, q))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord4d", (s, t, r, q), error) from None
 
 
@@ -1101,5 +1100,5 @@ def glTexCoord4dv(v: Numbers) -> None:
     try:
         s, t, r, q = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
-    except BAD as error:
+    except Exception as error:
         raise _misuse("glTexCoord4dv", (v,), error) from None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from glsim.glu import constants, errors, images, nurbs, quadric, tess, view
 from glsim.glu.errors import GLUError as GLUError
 from glsim.glu.errors import GLUWarning as GLUWarning
+from glsim.machine.errors import explained
 
 GLUerror = GLUError  # PyOpenGL's names
 GLUquadric = GLUQuadric = GLUquadricObj = quadric.Quadric
@@ -14,7 +15,7 @@ globals().update(constants.NAMES)
 GLU_TESS_MAX_COORD = constants.GLU_TESS_MAX_COORD
 for _topic in (errors, images, nurbs, quadric, tess, view):
     globals().update(
-        {name: value for name, value in vars(_topic).items() if name.startswith("glu") and name[3].isupper()}
+        {name: explained(name, value) for name, value in vars(_topic).items() if name.startswith("glu") and name[3].isupper()}
     )
 
 __all__ = [name for name in globals() if name.startswith("GLU") or (name[:3] == "glu" and name[3:4].isupper())]

@@ -7,12 +7,17 @@ Windows are pictures: ``glsim run`` takes them after each step of a main loop wh
 from __future__ import annotations
 
 from glsim.glut import api, constants, fonts, shapes
+from glsim.machine.errors import explained
 
 HAVE_FREEGLUT = True
 fgDeinitialize = None
 globals().update(constants.NAMES)
 for _topic in (api, shapes, fonts):
     globals().update(
-        {n: v for n, v in vars(_topic).items() if n.startswith(("glut", "GLUT_")) and not n.startswith("glut_")}
+        {
+            name: explained(name, value) if name.startswith("glut") else value
+            for name, value in vars(_topic).items()
+            if name.startswith(("glut", "GLUT_")) and not name.startswith("glut_")
+        }
     )
 __all__ = [name for name in globals() if name.startswith(("glut", "GLUT_"))] + ["HAVE_FREEGLUT"]

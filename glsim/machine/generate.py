@@ -46,7 +46,6 @@ from glsim.machine.current import on_switch
 from glsim.machine.errors import explain
 
 row = Struct("10f").pack
-BAD = (TypeError, ValueError, OverflowError, IndexError, struct_error)
 Numbers = Sequence[Any]
 m: Any
 
@@ -65,7 +64,7 @@ def _misuse(name: str, arguments: tuple[Any, ...], error: Exception) -> Exceptio
         for what, value in (("normal", (m.nx, m.ny, m.nz)), ("color", (m.red, m.green, m.blue, m.alpha))):
             try:
                 Struct(f"{len(value)}f").pack(*value)
-            except BAD:
+            except struct_error:
                 return TypeError(f"{name}: the current {what} (gl{what.title()}) is not made of numbers: {value!r}")
     return explain(error, name, arguments)
 '''
@@ -111,7 +110,7 @@ def hot_function(command: Command) -> str:
         f"    if m.recorder:\n"
         f'        return m.recorder("{command.name}", {given})  # type: ignore[no-any-return]\n'
         f"    try:\n{lines}\n"
-        f"    except BAD as error:\n"
+        f"    except Exception as error:\n"
         f'        raise _misuse("{command.name}", {given}, error) from None\n'
     )
 

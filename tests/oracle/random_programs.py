@@ -1,0 +1,123 @@
+"""Random valid programs against the driver's fixed function: ``python -m tests.oracle.random_programs --count 5000``.
+
+Prints each program whose pictures differ, made as short as it can be while they do.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Callable
+
+import numpy as np
+
+import glsim
+from glsim import gl
+from glsim.machine.frame import Call
+from glsim.render.native import Native
+from glsim.study.capture import capture
+from tests.oracle.author import Author
+from tests.oracle.measure import Difference, measure
+from tests.oracle.programs import ball
+from tests.oracle.texture_programs import texels
+
+SIZE = 128
+NAMES = {**{name: getattr(gl, name) for name in gl.__all__}, "np": np, "ball": ball, "texels": texels}
+
+# what an earlier program may have left in the driver's context: objects, and current values that Mesa does not pop
+_NAMES = np.arange(1, 9, dtype=np.uint32).tobytes()
+AFRESH = [
+    Call("glDeleteTextures", (8, _NAMES)), Call("glDeleteLists", (1, 99)), Call("glDeleteBuffers", (8, _NAMES)),
+    Call("glColor4f", (1, 1, 1, 1)), Call("glNormal3f", (0, 0, 1)), Call("glSecondaryColor3f", (0, 0, 0)),
+    Call("glFogCoordf", (0,)), *(Call("glMultiTexCoord4f", (0x84C0 + unit, 0, 0, 0, 1)) for unit in range(4)),
+]  # fmt: skip
+PAIRS = (("glBegin(", "glEnd("), ("glPushAttrib(", "glPopAttrib("), ("glPushMatrix(", "glPopMatrix("), ("glNewList(", "glEndList("))
+
+
+def whole(lines: list[str]) -> bool:
+    """Whether a program ends all that it begins, and each primitive has its vertices."""
+    text = "\n".join(lines)
+    primitives = [part.partition("glEnd(")[0] for part in text.split("glBegin(")[1:]]
+    enough = all(part.count("glVertex") + part.count("glArrayElement") >= 4 for part in primitives)
+    return enough and all(text.count(begin) == text.count(end) for begin, end in PAIRS)
+
+
+class Witnesses:
+    """glsim and the driver's fixed function, with a picture of the same size each."""
+
+    def __init__(self) -> None:
+        self.screen, self.native = glsim.offscreen(SIZE, SIZE), Native(SIZE, SIZE)
+
+    def pictures(self, lines: list[str]) -> tuple[np.ndarray, np.ndarray]:
+        """The program's picture by glsim and by the driver.  Raises what glsim raises, and GLError for the driver's."""
+        self.screen.reset()
+        self.screen.make_current()
+        with capture(calls=True) as frame:
+            exec("\n".join(lines), dict(NAMES))
+        errors: list[tuple[str, int]] = []
+        reference = self.native.replay([*AFRESH, *frame.calls], errors)
+        if errors:  # after one the driver's context is in another state than a program expects
+            self.native.release()
+            self.native = Native(SIZE, SIZE)
+            raise gl.GLError(gl.GL_INVALID_OPERATION, f"the driver says {errors}")
+        return self.screen.pixels(), reference
+
+    def flag(self, lines: list[str]) -> str:
+        """Empty if both draw the same, else how they differ."""
+        try:
+            found = measure(*self.pictures(lines))
+        except Exception as error:
+            return f"{type(error).__name__}: {error}"
+        return f"{found}" if differs(found) else ""
+
+
+def differs(found: Difference) -> bool:
+    """The criteria of test_native.py."""
+    return found.coverage > 0 or found.within_1 < 0.999 or found.worst > 3
+
+
+def shortest(lines: list[str], interesting: Callable[[list[str]], bool]) -> list[str]:
+    """Statements that are not needed are left out: halves, quarters, ... single ones, until none can go."""
+    size = len(lines) // 2
+    while size:
+        start = 0
+        while start < len(lines):
+            fewer = lines[:start] + lines[start + size :]
+            if interesting(fewer):
+                lines = fewer
+            else:
+                start += size
+        size = size // 2 if size > 1 else 0
+    return lines
+
+
+def kind(said: str) -> str:
+    """Differences are of one kind, exceptions of theirs."""
+    return said.partition("(" if said.startswith("Difference") else ":")[0]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--count", type=int, default=5000)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--long", action="store_true", help="print flagged programs as they are")
+    options = parser.parse_args()
+    witnesses = Witnesses()
+    start, bad = time.time(), 0
+    for seed in range(options.seed, options.seed + options.count):
+        lines = Author(seed).program()
+        said = witnesses.flag(lines)
+        if not said:
+            continue
+        bad += 1
+        what = kind(said)
+        if not options.long:
+            lines = shortest(lines, lambda fewer, what=what: whole(fewer) and kind(witnesses.flag(fewer)) == what)
+        print(f"# seed {seed}: {said} -> {witnesses.flag(lines)}")
+        print("\n".join(lines), flush=True)
+        print()
+    print(f"{options.count} programs, {bad} flagged, {time.time() - start:.0f} s, on {witnesses.native.renderer} {witnesses.native.version}")
+
+
+if __name__ == "__main__":
+    main()
