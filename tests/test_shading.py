@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import glsim
 from glsim import shading
 from glsim.gl import *
-from glsim.gl.stage import vertex_stage
+from glsim.machine.stage import vertex_stage
 from glsim.machine.state import Light
 from glsim.render.native import Native
 from glsim.study.capture import capture

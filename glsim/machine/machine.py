@@ -222,6 +222,8 @@ class Machine:
         self.write = _ignore
         first, end = self.first, self.stream.tell()
         count = end // ROW_BYTES - first
+        while self.materials and self.materials[-1][0] == first + count:
+            self.materials.pop()  # glMaterial after the last vertex
         self.packets.append(Draw(mode, first, count, None, self.matrices(), self.begin_material, self.snapshot()))
         if end > LARGE:
             self.flush()

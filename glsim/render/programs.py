@@ -146,6 +146,7 @@ class ProgramKey(NamedTuple):
     pixels: int = 0  # the fragments of a pixel rectangle: one of PIXELS
     depth_offset: bool = False  # each vertex says how far it is moved: glPolygonOffset for lines and points
     smooth_lines: bool = False  # wide lines with soft edges
+    lit_elsewhere: bool = False  # each vertex says where the equation is evaluated: at a polygon's provoking vertex
     probe: bool = False  # fragments tell what they are made of
     objects: int = 1  # rows of transforms and materials that one draw can use
 
@@ -260,7 +261,7 @@ def constants(key: ProgramKey) -> str:
     lines.append(f"const int ALPHA_FUNC = {int(key.alpha_func)};")
     lines.append(f"const bool[6] CLIP_PLANE = bool[6]({', '.join(map(_glsl, key.clip_plane))});")
     for name in (
-        "depth_offset", "smooth_lines",
+        "depth_offset", "smooth_lines", "lit_elsewhere",
         "points", "areas", "wide_lines", "has_w", "object_color", "color_sum", "fog_coordinate", "polygon_stipple",
         "line_stipple", "point_smooth", "lighting", "per_fragment", "lobe_is_phong", "flip_normal", "local_viewer",
         "two_side",

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.gl.stage import illumination, vertex_stage, window
+from glsim.machine.stage import illumination, vertex_stage, window
 from glsim.machine.assembly import corners
 from glsim.machine.constants import (
     GL_ALWAYS,

@@ -2,6 +2,7 @@
 
 from tests.oracle import (  # noqa: F401  they add to PROGRAMS
     fragment_programs,
+    line_programs,
     list_programs,
     pixel_programs,
     texture_programs,
