@@ -18,6 +18,7 @@ Extensions (glGetString(GL_EXTENSIONS) names them):
 from __future__ import annotations
 
 import ctypes
+import inspect
 from typing import Any
 
 from glsim.gl import (
@@ -75,6 +76,9 @@ def _functions() -> dict[str, Any]:
     for command in COMMANDS.values():
         hot = getattr(immediate, command.name, None)
         if hot is not None:
+            signature = inspect.signature(hot)
+            *parameters, _surplus = signature.parameters.values()
+            hot.__signature__ = signature.replace(parameters=parameters)
             functions[command.name] = hot
             continue
         body = _BODIES.get(command.name) or _BODIES[command.family]

@@ -9,20 +9,23 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 import numpy as np
 
-from glsim.gl.arguments import numbers, signed_colour
+from glsim.gl.arguments import again, numbers, signed_colour
 from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
 from glsim.machine.current import on_switch
-from glsim.machine.errors import explain, explained, show
+from glsim.machine.errors import MISUSE, GLError, explained, show
 from glsim.machine.types import SUFFIXES
 
 Function = Callable[..., Any]
 m: Any
+errors = (GLError, MemoryError, *MISUSE)
+second = again  # the template's names: m, errors, second
 
 
 def _switch(machine: Any) -> None:
@@ -34,25 +37,30 @@ on_switch(_switch)
 
 _TEMPLATE = """
 def bind(name, body):
-    def command({arguments}):
+    def command({arguments}{rest}):
         if m.{flag}:
-            return m.{route}(name, ({tuple}))
+            return m.{route}(name, ({tuple}{rest}))
         try:
             return body(m{call})
-        except Exception as error:
-            raise explain(error, name, ({tuple})) from None
+        except errors as error:
+            return second(error, name, ({tuple}))
     return command
 """
-_binders: dict[tuple[int, bool], Function] = {}
+_binders: dict[tuple[int, bool, bool], Function] = {}
+EXACT = ("glBegin", "glEnd")  # PyOpenGL's are Python functions, which take no surplus arguments
 
 
-def _binder(count: int, inside: bool) -> Function:
-    """The function that makes a public function of ``count`` arguments from a name and a body."""
-    if (count, inside) not in _binders:
+def _binder(count: int, inside: bool, exact: bool) -> Function:
+    """The function that makes a public function of ``count`` arguments from a name and a body.
+
+    Surplus arguments are ignored, as they are by PyOpenGL, whose commands are C functions; a recorder sees them.
+    """
+    if (count, inside, exact) not in _binders:
         words = [f"a{k}" for k in range(count)]
         flag, route = ("recorder", "recorder") if inside else ("busy", "intercept")
         source = _TEMPLATE.format(
-            arguments=", ".join(words),
+            arguments="".join(f"{word}, " for word in words),
+            rest="" if exact else "*surplus,",
             tuple="".join(f"{word}, " for word in words),
             call="".join(f", {word}" for word in words),
             flag=flag,
@@ -60,13 +68,23 @@ def _binder(count: int, inside: bool) -> Function:
         )
         scope: dict[str, Any] = {}
         exec(compile(source, f"<gl command of {count} arguments>", "exec"), globals(), scope)
-        _binders[count, inside] = scope["bind"]
-    return _binders[count, inside]
+        _binders[count, inside, exact] = scope["bind"]
+    return _binders[count, inside, exact]
+
+
+@cache
+def _signature(parameters: tuple[str, ...], defaults: tuple[Any, ...] | None) -> inspect.Signature:
+    """The specification's arguments, without the surplus ones."""
+    values = (*[inspect.Parameter.empty] * (len(parameters) - len(defaults or ())), *(defaults or ()))
+    kind = inspect.Parameter.POSITIONAL_OR_KEYWORD
+    return inspect.Signature(
+        [inspect.Parameter(name, kind, default=value) for name, value in zip(parameters, values, strict=True)]
+    )
 
 
 def public(command: Command, body: Function, parameters: tuple[str, ...], defaults: tuple[Any, ...] | None) -> Function:
     """A public function with the command's own name and argument names."""
-    made = _binder(len(parameters), command.inside)(command.name, body)
+    made = _binder(len(parameters), command.inside, command.name in EXACT)(command.name, body)
     code = made.__code__
     made.__code__ = code.replace(
         co_name=command.name, co_varnames=(*parameters, *code.co_varnames[len(parameters) :]), co_qualname=command.name
@@ -75,6 +93,7 @@ def public(command: Command, body: Function, parameters: tuple[str, ...], defaul
     made.__module__ = "glsim.gl"
     made.__doc__ = body.__doc__
     made.__defaults__ = defaults
+    made.__signature__ = _signature(parameters, defaults)  # type: ignore[attr-defined]
     return made  # type: ignore[no-any-return]
 
 
@@ -95,7 +114,7 @@ def _adapt(command: Command, body: Function) -> Function:
     if command.result:  # glGetLightfv: numbers -> an array of the variant's type
         return lambda m, *a: into(a[-1], answer(body(m, *a[:-1]), kind, a[-2] in COLOURS))
     if command.family == "glRect" and command.vector:
-        return lambda m, v1, v2: body(m, *v1, *v2)
+        return lambda m, v1, v2: body(m, *numbers(v1)[:2], *numbers(v2)[:2])
     if command.size == 0 or command.arguments[-1][0] == "param":  # a named parameter
         return _integer_parameter(body) if kind == "i" else body
     if command.family == "glSecondaryColor" and kind in _SCALES:
@@ -148,9 +167,12 @@ def suffix_free(family: str, functions: dict[str, Function]) -> Function:
 
 def _suffix_free_parameter(family: str, functions: dict[str, Function]) -> Function:
     scalar, vector = functions[f"{family}f"], functions.get(f"{family}fv")
+    names = FAMILIES[family][0].parameters[:-1] + ("params",)
 
     def call(*arguments: Any) -> Any:
-        one = isinstance(arguments[-1], (int, float)) or vector is None
+        if len(arguments) < len(names):
+            raise TypeError(f"{family} takes {len(names)} arguments ({', '.join(names)}), not {len(arguments)}")
+        one = isinstance(arguments[len(names) - 1], (int, float)) or vector is None
         return (scalar if one else vector)(*arguments)  # type: ignore[misc]
 
     return call

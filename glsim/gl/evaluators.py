@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.gl.arguments import numbers
 from glsim.machine.constants import (
     GL_COEFF,
     GL_DOMAIN,
@@ -27,6 +28,7 @@ from glsim.machine.constants import (
 from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.frame import ROW, ROW_BYTES
 from glsim.machine.machine import Machine
+from glsim.machine.types import plain
 
 Float = NDArray[np.float64]
 MAX_EVAL_ORDER = 30
@@ -63,10 +65,15 @@ def _check(names: str, low: float, high: float, stride: int, order: int, compone
 
 def _taken(points: Any, index: NDArray[np.int64]) -> Float:
     """Control points out of the program's array of numbers."""
-    flat = np.asarray(points, np.float64).ravel()
+    flat = np.asarray(numbers(plain(points, int(index.max()) + 1)))
     if index.max() >= flat.size:
         raise ValueError(f"points has {flat.size} numbers, but the map needs {int(index.max()) + 1}")
     return flat[index]
+
+
+def _shaped(points: Any) -> Float:
+    numbers(points)  # or a sentence
+    return np.asarray(points, np.float64)
 
 
 def glMap1f(m: Machine, target: int, u1: float, u2: float, stride: Any, order: Any = None, points: Any = None) -> None:
@@ -77,7 +84,7 @@ def glMap1f(m: Machine, target: int, u1: float, u2: float, stride: Any, order: A
     what = _what(target, 1)
     k = COMPONENTS[what]
     if points is None:
-        points = np.asarray(stride, np.float64)
+        points = _shaped(stride)
         if points.ndim != 2:
             raise ValueError(f"points must have the shape (order, {k}), not {points.shape}")
         order, stride = points.shape
@@ -101,7 +108,7 @@ def glMap2f(
     what = _what(target, 2)
     k = COMPONENTS[what]
     if points is None:
-        points = np.asarray(v1, np.float64)
+        points = _shaped(v1)
         v1, v2 = ustride, uorder
         if points.ndim != 3:
             raise ValueError(f"points must have the shape (uorder, vorder, {k}), not {points.shape}")

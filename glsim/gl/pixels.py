@@ -64,7 +64,7 @@ from glsim.machine.pixels import (
     transferred,
     unpack,
 )
-from glsim.machine.types import DTYPES
+from glsim.machine.types import DTYPES, fill, plain
 
 LARGEST_RECTANGLE = 16384
 MAX_PIXEL_MAP_TABLE = 256
@@ -180,10 +180,7 @@ def _get_pixel_map(m: Machine, map: int, values: Any, one: float, dtype: type) -
     if map not in (GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S):
         table = table * one
     found: Any = table.astype(dtype)
-    if values is None:
-        return found
-    np.asarray(values).reshape(-1)[: len(found)] = found
-    return values
+    return found if values is None else fill(values, found)
 
 
 def glPixelZoom(m: Machine, zx: float, zy: float) -> None:
@@ -297,7 +294,7 @@ def glReadPixels(
         values = pack_colors(format, type, transferred(m.pixel, m.device.read(*rectangle, "color")))
     if array is None:
         return deliver(values, type, None, outputType)
-    view = np.asarray(array)
+    view = np.asarray(plain(array, values.size))
     if not (view.flags.c_contiguous and view.flags.writeable) or isinstance(array, (list, tuple, bytes)):
         raise TypeError("array must be a writable NumPy array or bytearray")
     if values.size:

@@ -20,6 +20,7 @@ from glsim.machine.machine import ATTRIB_STACK_DEPTH, MAX_LIST_NESTING, STACK_DE
 from glsim.machine.pixels import MAPS, PACK_FIELDS, UNPACK_FIELDS
 from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS, TEXTURE_UNITS
 from glsim.machine.texture import MAX_3D_TEXTURE_SIZE, MAX_TEXTURE_SIZE
+from glsim.machine.types import fill
 
 Getter = Callable[[Machine], Any]
 
@@ -262,14 +263,7 @@ def answer(values: Any, kind: str, colour: bool = False) -> Any:
 
 def into(array: Any, values: Any) -> Any:
     """``values``, or ``array`` filled with them if the program gave one."""
-    if array is None:
-        return values
-    if isinstance(array, list):
-        array[: np.size(values)] = np.ravel(values).tolist()
-        return array
-    view = np.asarray(array)
-    view.reshape(-1)[: np.size(values)] = np.ravel(values)
-    return array
+    return values if array is None else fill(array, values)
 
 
 def glGetBooleanv(m: Machine, pname: int, params: Any = None) -> Any:

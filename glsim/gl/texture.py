@@ -96,7 +96,7 @@ from glsim.machine.texture import (
     Texture,
     mipmaps,
 )
-from glsim.machine.types import DTYPES
+from glsim.machine.types import DTYPES, fill
 
 # what glBindTexture takes -> kind of texture
 TARGETS: dict[int, int] = {GL_TEXTURE_1D: 1, GL_TEXTURE_2D: 2, GL_TEXTURE_3D: 3, GL_TEXTURE_CUBE_MAP: CUBE}
@@ -202,8 +202,7 @@ def new_names(n: int, used: set[int]) -> list[int]:
 def given_names(names: Sequence[int], array: Any) -> Any:
     """Names as PyOpenGL returns them."""
     if array is not None:
-        np.asarray(array).reshape(-1)[: len(names)] = names
-        return array
+        return fill(array, names)
     return np.uint32(names[0]) if len(names) == 1 else np.array(names, np.uint32)
 
 
@@ -247,8 +246,7 @@ def glAreTexturesResident(m: Machine, n: Any, textures: Any = None, residences: 
     count = len(names_from(n, textures))
     if residences is None:
         return np.ones(count, np.uint8)
-    np.asarray(residences).reshape(-1)[:count] = 1
-    return residences
+    return fill(residences, [1] * count)
 
 
 def glPrioritizeTextures(m: Machine, n: int, textures: Any, priorities: Any) -> None:
@@ -682,8 +680,7 @@ def glGetTexImage(
 def deliver(values: Any, type: int, array: Any, outputType: Any) -> Any:
     """Pixels ([depth,] [height,] width, components) in the form that PyOpenGL returns: width first."""
     if array is not None:
-        np.copyto(np.asarray(array).reshape(values.shape), values)
-        return array
+        return fill(array, values)
     if values.dtype == np.uint8 and outputType is bytes:
         return values.tobytes()
     size = values.shape[-2::-1]

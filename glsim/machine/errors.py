@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-import ctypes
+import dis
 import os
 from collections.abc import Callable, Sequence
+from ctypes import ArgumentError
 from functools import wraps
 from inspect import signature
-from opcode import opmap
+from struct import error as StructError  # noqa: N812
 from traceback import walk_tb
 from types import CodeType
 from typing import Any, TypeVar
 
 import numpy as np
 
-from glsim.machine.commands import COMMANDS, NUMBERS
+from glsim.machine.commands import COMMANDS, NUMBERS, numbers_wanted
 from glsim.machine.constants import (
     GL_INVALID_ENUM,
     GL_INVALID_OPERATION,
@@ -24,6 +25,7 @@ from glsim.machine.constants import (
     GL_STACK_UNDERFLOW,
     Enum,
 )
+from glsim.machine.types import is_pointer
 
 F = TypeVar("F", bound=Callable[..., Any])
 Kinds = tuple[tuple[str, str], ...]  # of a call's arguments: name and kind, as in the command table
@@ -96,6 +98,8 @@ def out_of_memory(sentence: str) -> GLError:
 def show(value: object) -> str:
     """A value as a message quotes it: never longer than a line."""
     if isinstance(value, int) and not isinstance(value, (bool, Enum)):
+        if value.bit_length() > 64:
+            return f"a number of {value.bit_length()} bits"
         return f"{value} (0x{value:X})" if value > 255 else str(value)
     if isinstance(value, np.ndarray):
         text = repr(value.tolist()) if value.size <= 4 else f"an array of shape {value.shape}"
@@ -105,28 +109,33 @@ def show(value: object) -> str:
 
 
 def explain(error: Exception, name: str, arguments: Sequence[Any], kinds: Kinds | None = None) -> Exception:
-    """What a call raised, as a sentence that begins with the call's name and says which argument is to blame.
+    """Turn what a command's body raised into a sentence that begins with the call and names the argument.
 
-    kinds: name and kind of each argument, of a call that has no row in the command table.  The words of Python, NumPy
-    or ctypes are none for a student; they become a note of the exception.  What the program itself raised, in a
-    callback or in an object's __float__, stays as it is.
+    kinds: name and kind of each argument, of a function that has no row in the command table.  What the program itself
+    raised, in a callback or in an object's __float__, stays as it is.
     """
     if _of_the_program(error):
         return error
     if isinstance(error, GLError):
         return error.during(name, arguments) if kinds is None else error.within(name, arguments)
-    if kinds is None:
-        kinds = COMMANDS[name].arguments if name in COMMANDS else ()
     if isinstance(error, MemoryError):
-        return out_of_memory(f"there is not enough memory for {_listed(kinds, arguments)}").during(name, arguments)
-    size = COMMANDS[name].size if name in COMMANDS and COMMANDS[name].vector else 0
-    for (argument, kind), value in zip(kinds, arguments, strict=False):
-        expected = _complaint(kind, value, size)
-        if expected:
-            return _noted(TypeError(f"{name}: {argument} must be {expected}, not {show(value)}"), error)
-    if _is_a_sentence(error):
+        return out_of_memory("there is not enough memory for it").during(name, arguments)
+    said = is_a_sentence(error)
+    if said and not isinstance(error, TypeError):
         return _begun_with(name, error)
-    return _noted(ValueError(f"{name}: these arguments do not go together: {_listed(kinds, arguments)}"), error)
+    command = COMMANDS[name] if kinds is None else None
+    kinds = command.arguments if command else kinds or ()
+    for place, ((argument, kind), value) in enumerate(zip(kinds, arguments, strict=False)):
+        count = numbers_wanted(command, arguments, place) if command and command.vector else None
+        expected = _complaint(kind, value, count)
+        if expected:
+            return TypeError(f"{name}: {argument} must be {expected}, not {show(value)}")
+    if said:
+        return _begun_with(name, error)
+    given = ", ".join(f"{argument} = {show(value)}" for (argument, _), value in zip(kinds, arguments, strict=False))
+    made = TypeError(f"{name}: these arguments do not go together: {given}")
+    made.add_note(f"({type(error).__name__}: {error})")  # below the sentence, for who looks for a mistake in glsim
+    return made
 
 
 def explained(name: str, function: F) -> F:
@@ -138,15 +147,23 @@ def explained(name: str, function: F) -> F:
             return function(*arguments, **options)
         except Exception as error:
             made = explain(error, name, arguments, _kinds_of(function, len(arguments)))
-            if made is error:
+            if made is error and _of_the_program(error):
                 raise
             raise made from None
 
     return call  # type: ignore[return-value]
 
 
+# annotation of an argument -> its kind; of an object, what makes it
+ANNOTATED = {
+    "float": "f", "int": "i", "bool": "boolean", "Quadric": "gluNewQuadric", "Nurbs": "gluNewNurbsRenderer",
+    "Tessellator": "gluNewTess",
+}  # fmt: skip
+MADE_BY = {kind: annotation for annotation, kind in ANNOTATED.items() if kind.startswith("glu")}
+
+
 def _kinds_of(function: Callable[..., Any], count: int) -> Kinds:
-    """Name and kind of each argument, from its annotation: a number, an integer, an object of some class."""
+    """Name and kind of each argument, from its annotation."""
     pairs: list[tuple[str, str]] = []
     for word, parameter in signature(function).parameters.items():
         if parameter.kind is parameter.VAR_POSITIONAL:
@@ -154,41 +171,6 @@ def _kinds_of(function: Callable[..., Any], count: int) -> Kinds:
         else:
             pairs.append((word, ANNOTATED.get(parameter.annotation, "")))
     return tuple(pairs)
-
-
-# annotation of an argument -> its kind; for objects, what makes them
-ANNOTATED = {
-    "float": "f", "int": "i", "bool": "boolean", "Quadric": "gluNewQuadric", "Nurbs": "gluNewNurbsRenderer",
-    "Tessellator": "gluNewTess",
-}  # fmt: skip
-MADE_BY = {kind: annotation for annotation, kind in ANNOTATED.items() if kind.startswith("glu")}
-
-PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-LIBRARY = os.path.dirname(os.path.abspath(os.__file__))  # Python's own modules
-
-
-def _is_glsim(code: CodeType) -> bool:
-    return code.co_filename.startswith((PACKAGE, "<gl command"))
-
-
-def _of_the_program(error: Exception) -> bool:
-    """Whether the program's own code, called by glsim, raised it."""
-    files = (frame.f_code for frame, _ in walk_tb(error.__traceback__) if not _is_glsim(frame.f_code))
-    return any(
-        not code.co_filename.startswith((LIBRARY, "<frozen")) and "site-packages" not in code.co_filename
-        for code in files
-    )
-
-
-def _is_a_sentence(error: Exception) -> bool:
-    """Whether a raise statement of glsim's made it, so that the words are glsim's."""
-    trace = error.__traceback__
-    while trace is not None and trace.tb_next is not None:
-        trace = trace.tb_next
-    if trace is None:
-        return False
-    code = trace.tb_frame.f_code
-    return _is_glsim(code) and code.co_code[trace.tb_lasti] == opmap["RAISE_VARARGS"]
 
 
 def _begun_with(name: str, error: Exception) -> Exception:
@@ -204,28 +186,45 @@ def _related(one: str, other: str) -> bool:
     return one.startswith(other) or other.startswith(one)
 
 
-def _noted(made: Exception, error: Exception) -> Exception:
-    """A traceback shows the note below the sentence; it helps who looks for a mistake in glsim."""
-    made.add_note(f"({type(error).__name__}: {error})")
-    return made
+# what Python, NumPy and ctypes raise when they are given something they do not expect
+MISUSE = (TypeError, ValueError, ArithmeticError, LookupError, BufferError, StructError, ArgumentError)
+PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+LIBRARY = os.path.dirname(os.path.abspath(os.__file__))  # Python's own modules
+RAISE = dis.opmap["RAISE_VARARGS"]
 
 
-def _listed(kinds: Kinds, arguments: Sequence[Any]) -> str:
-    """Arguments and their values, such as: width = 4, height = 4."""
-    return ", ".join(f"{word} = {show(value)}" for (word, _), value in zip(kinds, arguments, strict=False))
+def _is_glsim(code: CodeType) -> bool:
+    return code.co_filename.startswith((PACKAGE, "<gl command"))
 
 
-def _complaint(kind: str, value: object, size: int) -> str:
-    """What an argument of this kind should have been; empty if the value will do.
+def _of_the_program(error: Exception) -> bool:
+    """Whether the program's own code, called by glsim, raised it."""
+    for frame, _ in walk_tb(error.__traceback__):
+        file = frame.f_code.co_filename
+        if not _is_glsim(frame.f_code) and not file.startswith((LIBRARY, "<frozen")) and "site-packages" not in file:
+            return True
+    return False
 
-    size: of a vector, how many numbers it has.
-    """
+
+def is_a_sentence(error: Exception) -> bool:
+    """Whether a ``raise`` of glsim made the error; if not, it has the words of Python, NumPy or ctypes."""
+    at = error.__traceback__
+    while at is not None and at.tb_next is not None:
+        at = at.tb_next
+    if at is None:
+        return True
+    code = at.tb_frame.f_code
+    return _is_glsim(code) and code.co_code[at.tb_lasti] == RAISE
+
+
+def _complaint(kind: str, value: object, count: int | None) -> str:
+    """What an argument of this type should have been; empty if the value will do.  count: how many numbers of it."""
     if not kind:
         return ""
     if kind in MADE_BY:
         return "" if type(value).__name__ == MADE_BY[kind] else f"what {kind}() returned"
     if kind == "data":
-        return _data_complaint(value, size)
+        return _array_complaint(value, count)
     try:
         number = float(value)  # type: ignore[arg-type]
         if isinstance(value, (str, bytes, bytearray)) or np.ndim(value):  # type: ignore[arg-type]
@@ -234,24 +233,19 @@ def _complaint(kind: str, value: object, size: int) -> str:
             int(number)
     except (TypeError, ValueError, OverflowError):
         return "a constant such as GL_LIGHTING" if kind == "enum" else "a number"
-    if kind in ("f", "d", "boolean"):
-        return ""
-    if kind in NUMBERS and number != int(number):
+    if kind in NUMBERS and kind not in ("f", "d") and number != int(number):
         return "an integer"
-    return "" if -(2**31) <= number < 2**32 else "an integer of 32 bits"
+    return ""
 
 
-def _data_complaint(value: object, size: int) -> str:
-    """What an array should have been."""
-    numbers = f"{size} numbers" if size else "a list, tuple or array of numbers"
-    if value is None or hasattr(value, "bind") or isinstance(value, (ctypes._Pointer, ctypes.c_void_p)):
-        return ""
-    if isinstance(value, (bytes, bytearray, memoryview, int)) and not size:
-        return ""  # raw memory, or an offset into a buffer object
+def _array_complaint(value: Any, count: int | None) -> str:
+    numbers = "a list, tuple or array of numbers" if count is None else f"a list, tuple or array of {count} numbers"
+    if is_pointer(value):
+        return f"{numbers} (a pointer of ctypes does not say how many there are)"
+    if value is None or isinstance(value, (bytes, bytearray)):
+        return "" if count is None else numbers
     try:
         array = np.asarray(value)
-        if array.dtype.kind not in "biufO" or isinstance(value, (str, bytes)):
-            return numbers
-        return numbers if size and array.astype(np.float64).size != size else ""
-    except (TypeError, ValueError, OverflowError):
+        return "" if array.dtype.kind in "biuf" and count in (None, array.size) else numbers
+    except (TypeError, ValueError):
         return numbers

@@ -39,11 +39,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from struct import Struct
-from struct import error as struct_error
 from typing import Any
 
+from glsim.gl.arguments import again
 from glsim.machine.current import on_switch
-from glsim.machine.errors import explain
+from glsim.machine.errors import MISUSE as BAD
 
 row = Struct("10f").pack
 Numbers = Sequence[Any]
@@ -56,17 +56,6 @@ def _switch(machine: Any) -> None:
 
 
 on_switch(_switch)
-
-
-def _misuse(name: str, arguments: tuple[Any, ...], error: Exception) -> Exception:
-    """The sentence for a number that is none: an argument, or the current normal or colour."""
-    if isinstance(error, struct_error):
-        for what, value in (("normal", (m.nx, m.ny, m.nz)), ("color", (m.red, m.green, m.blue, m.alpha))):
-            try:
-                Struct(f"{len(value)}f").pack(*value)
-            except struct_error:
-                return TypeError(f"{name}: the current {what} (gl{what.title()}) is not made of numbers: {value!r}")
-    return explain(error, name, arguments)
 '''
 
 
@@ -105,13 +94,14 @@ def hot_function(command: Command) -> str:
         unpack = f"{', '.join(components)} = v" if command.size > 1 else f"{components[0]} = _first(v)"
         body.insert(0, unpack)
     lines = "\n".join(f"        {line}" for line in body)
+    recorded = f"{given} if surplus is None else ({', '.join(parameters)}, surplus)"
     return (
-        f"def {command.name}({signature}) -> None:\n"
+        f"def {command.name}({signature}, surplus: Any = None) -> None:\n"
         f"    if m.recorder:\n"
-        f'        return m.recorder("{command.name}", {given})  # type: ignore[no-any-return]\n'
+        f'        return m.recorder("{command.name}", {recorded})  # type: ignore[no-any-return]\n'
         f"    try:\n{lines}\n"
-        f"    except Exception as error:\n"
-        f'        raise _misuse("{command.name}", {given}, error) from None\n'
+        f"    except BAD as error:\n"
+        f'        again(error, "{command.name}", {given})\n'
     )
 
 

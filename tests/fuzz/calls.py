@@ -29,8 +29,8 @@ FOREIGN = """
 could not convert|setting an array element|inhomogeneous|ufunc|broadcast|cannot reshape|dtype|array of size
 only integer scalar|only length-1|only size-1|a number is required|required argument|buffer is too small|shape mismatch
 cannot cast|out of bounds|invalid literal|must be real number|not supported between|object is not|has no attribute
-unhashable|cannot convert float|unpack|positional argument|argument after|bytes-like|int too large|int too big
-index out of range|list indices|indices must be|incompatible types|unsupported operand|cannot be interpreted
+unhashable|cannot convert float|to unpack|positional argument|argument after|bytes-like|int too large|int too big
+index out of range|list indices|incompatible types|unsupported operand|cannot be interpreted
 not iterable|not subscriptable|not callable|buffer size|can't|NoneType|new type|itemsize|ndarray is not|maximum supported
 math domain|float division|divide by zero|negative shift|too many indices|contiguous|truth value|Unable to allocate
 argument must be|Overflow|out of range for|unsized|underlying buffer|zero-dimensional|0-d|codec|format requires
@@ -94,7 +94,8 @@ def accepted(name: str, error: BaseException) -> str:
     if not isinstance(error, allowed):
         return type(error).__name__
     sentence = str(error)
-    if not re.match("gl[A-Z]\\w+: " if name.startswith("glCallList") else f"{name}: ", sentence):
+    names = "gl[A-Z]\\w+" if name.startswith("glCallList") else f"{name}v?"  # what is called; glGetFloat is glGetFloatv
+    if not re.match(f"{names}: ", sentence):
         return "without the command's name"
     said = re.split(r", not |do not go together|not enough memory for", sentence)[0]  # then come the program's own values
     return "foreign words" if TELLTALES.search(said) else ""
