@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.stage import vertex_stage, window
 from glsim.machine.assembly import complete, corners, counterclockwise, outlines
 from glsim.machine.clipping import BOUNDARY, INTERIOR, VIEW_PLANES, clipped, edge_kinds
 from glsim.machine.clipping import distances as clip_distances
@@ -53,6 +52,7 @@ from glsim.machine.errors import (
 )
 from glsim.machine.frame import Draw, Packet, Pixels
 from glsim.machine.machine import Machine
+from glsim.machine.stage import vertex_stage, window
 from glsim.machine.state import RasterPosition
 
 Float = NDArray[np.float64]

@@ -152,8 +152,8 @@ def _surface_material(draw: Any, vertex: int) -> Material:
     color = draw.color or tuple(draw.block.rows[vertex, 6:10].tolist())
     rho, E = color[:3], (0.0, 0.0, 0.0)
     if draw.state.lighting.enabled:
-        from glsim.machine.stage import TRACKED
         from glsim.machine.constants import GL_BACK
+        from glsim.machine.stage import TRACKED
 
         face = draw.materials_at(np.array([vertex]))[0].front
         lighting = draw.state.lighting

@@ -27,7 +27,6 @@ from glsim.machine.constants import (
     GL_PHONG_WIN,
     GL_POINTS,
     GL_POLYGON,
-    GL_SEPARATE_SPECULAR_COLOR,
     GL_SMOOTH,
     GL_TRIANGLES,
 )

@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim import shading
-from glsim.machine.stage import Stage, illumination, shown, vertex_stage
 from glsim.machine.constants import (
     GL_ADD,
     GL_ADD_SIGNED,
@@ -67,6 +66,7 @@ from glsim.machine.constants import (
     GL_TEXTURE0,
     GL_ZERO,
 )
+from glsim.machine.stage import Stage, illumination, shown, vertex_stage
 from glsim.machine.state import ColorBuffer, Combine, Fog, TextureUnit
 from glsim.render.inspect import Piece
 from glsim.render.programs import UnitKind, unit_kind

@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.stage import illumination, vertex_stage, window
 from glsim.machine.assembly import corners
 from glsim.machine.constants import (
     GL_ALWAYS,
@@ -20,6 +19,7 @@ from glsim.machine.constants import (
     GL_SMOOTH,
 )
 from glsim.machine.frame import Call, Draw, Frame, Moment, Where
+from glsim.machine.stage import illumination, vertex_stage, window
 from glsim.render.batch import assembled
 from glsim.shading import normalize
 from glsim.study.provenance import BEFORE, Path, Provenance, call_text

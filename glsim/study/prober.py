@@ -231,8 +231,8 @@ def _evaluations(one: Piece, sample: Sample, lit: Shaded) -> tuple[Evaluation, .
     """Where the equation ran, with all numbers."""
     if lit.terms is None:
         return ()
-    from glsim.machine.stage import surface
     from glsim.machine.constants import GL_BACK, GL_FRONT
+    from glsim.machine.stage import surface
 
     lighting, rows = one.draw.state.lighting, lit.corners[0]
     back = lighting.two_side and not sample.front and one.corners == 3
