@@ -23,7 +23,11 @@ AVOIDED = {
     "generated directions in cube maps": "some lie just between two faces",
     "a shininess of 0": "Mesa drops the highlight where N.H < 0",
     "glBegin with fewer vertices than a primitive has": "Mesa drops the primitives that follow",
-    "attributes first set after the first vertex, in lists": "Mesa gives them to the vertices before",
+    "attributes and materials first set after the first vertex": "in lists, Mesa gives them to the vertices before",
+    "several kinds of vertices in a list": "Mesa gives attributes of later primitives to earlier ones",
+    "zoomed pixel rectangles at fractions of a pixel": "Mesa rounds the raster position first",
+    "surfaces seen edge-on": "the last bit decides which side is seen",
+    "outlines in several colours": "where two edges meet the last bit decides which is seen",
     "the current colour after GL_COMPILE_AND_EXECUTE": "Mesa does not keep it; programs set it again",
     "the current normal after GL_AUTO_NORMAL": "Mesa changes it; programs set it again",
     "pixel rectangles and bitmaps with fog, textures or a colour sum": "Mesa leaves these stages out",
@@ -35,6 +39,7 @@ AVOIDED = {
     "normals of GL_BYTE in arrays": "Mesa maps them by OpenGL 4.2's rule",
     "internal formats of other than 8 bits, texture borders": "glsim keeps 8 bits and no border (SUPPORT.md)",
     "textures without all their levels": "Mesa falls back to another dimension",
+    "GL_CLAMP and GL_CLAMP_TO_BORDER with formats other than GL_RGBA": "glsim does not reduce border colours yet",
     "GL_DECAL with formats other than GL_RGB and GL_RGBA": "undefined in the specification",
 }
 
@@ -51,6 +56,7 @@ BLENDING = (
 ).split()
 TESTS = "GL_LESS GL_LEQUAL GL_GREATER GL_GEQUAL GL_EQUAL GL_NOTEQUAL GL_ALWAYS".split()
 STENCILS = "GL_KEEP GL_ZERO GL_REPLACE GL_INCR GL_DECR GL_INVERT GL_INCR_WRAP GL_DECR_WRAP".split()
+MATERIAL = "GL_AMBIENT GL_DIFFUSE GL_AMBIENT_AND_DIFFUSE GL_SPECULAR GL_EMISSION".split()
 LOGIC = (
     "GL_CLEAR GL_AND GL_AND_REVERSE GL_COPY GL_AND_INVERTED GL_NOOP GL_XOR GL_OR GL_NOR GL_EQUIV GL_INVERT "
     "GL_OR_REVERSE GL_COPY_INVERTED GL_OR_INVERTED GL_NAND GL_SET"
@@ -136,7 +142,7 @@ class Author:
 
     def lighting(self) -> None:
         self.lit = True
-        self.say("glEnable(GL_LIGHTING)")
+        self.say(f"glEnable(GL_LIGHTING); glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, {self.number(1, 60)})")
         for light in self.random.sample(range(8), self.random.randint(1, 3)):
             self.light(f"GL_LIGHT{light}")
         if self.chance(0.3):
@@ -154,7 +160,7 @@ class Author:
         for _ in range(0 if self.tracked else self.random.randint(0, 3)):
             self.material()
         if self.tracked:
-            mode = self.pick("GL_AMBIENT GL_DIFFUSE GL_AMBIENT_AND_DIFFUSE GL_SPECULAR GL_EMISSION".split())
+            mode = self.pick(MATERIAL)
             self.say(f"glColorMaterial({self.pick(['GL_FRONT', 'GL_FRONT_AND_BACK'])}, {mode})")
             self.say("glEnable(GL_COLOR_MATERIAL)")
 
@@ -178,7 +184,7 @@ class Author:
         if self.chance(0.3):
             self.say(f"glMaterialf({face}, GL_SHININESS, {self.number(1, 100)})")
         else:
-            name = self.pick("GL_AMBIENT GL_DIFFUSE GL_AMBIENT_AND_DIFFUSE GL_SPECULAR GL_EMISSION".split())
+            name = self.pick(MATERIAL)
             self.say(f"glMaterialfv({face}, {name}, [{self.color(0)}])")
 
     def texture(self) -> None:
@@ -215,7 +221,7 @@ class Author:
                  ("GL_UNSIGNED_SHORT", f"{data}.astype('u2') * 257")]
             )  # fmt: skip
             self.say(f"{image}, {kind}, {values})")
-        self.filters(target, mipmaps)
+        self.filters(target, mipmaps, internal in ("GL_RGBA", "GL_RGBA8"))
         self.environment(internal)
         self.say(f"glEnable({target})")
         self.units.append(target)
@@ -228,14 +234,15 @@ class Author:
             self.say("glActiveTexture(GL_TEXTURE0)")
         self.join(first)
 
-    def filters(self, target: str, mipmaps: bool) -> None:
+    def filters(self, target: str, mipmaps: bool, bordered: bool) -> None:
         filters = ["GL_LINEAR"]
         if mipmaps:
             filters = ["GL_LINEAR", "GL_LINEAR_MIPMAP_NEAREST", "GL_LINEAR_MIPMAP_LINEAR"]
         self.say(f"glTexParameteri({target}, GL_TEXTURE_MIN_FILTER, {self.pick(filters)})")
         for axis in "STR":
-            if target != "GL_TEXTURE_CUBE_MAP" and self.chance(0.5):
-                wraps = "GL_CLAMP GL_REPEAT GL_CLAMP_TO_EDGE GL_CLAMP_TO_BORDER GL_MIRRORED_REPEAT".split()
+            if target != "GL_TEXTURE_CUBE_MAP" and (self.chance(0.5) or not bordered):
+                wraps = ["GL_REPEAT", "GL_CLAMP_TO_EDGE", "GL_MIRRORED_REPEAT"]
+                wraps += ["GL_CLAMP", "GL_CLAMP_TO_BORDER"] if bordered else []
                 self.say(f"glTexParameteri({target}, GL_TEXTURE_WRAP_{axis}, {self.pick(wraps)})")
         if self.chance(0.4):
             self.say(f"glTexParameterfv({target}, GL_TEXTURE_BORDER_COLOR, [{self.color(0)}])")
@@ -333,7 +340,7 @@ class Author:
             self.say(f"glEnable(GL_CLIP_PLANE{plane})")
 
     def polygons(self) -> None:
-        if self.chance(0.5):
+        if self.exact and self.chance(0.5):
             self.outlined = True
             self.say("glDisable(GL_DEPTH_TEST)")
             self.say(f"glPolygonMode({self.pick(['GL_FRONT', 'GL_BACK', 'GL_FRONT_AND_BACK'])}, "
@@ -386,12 +393,14 @@ class Author:
         mode, count = self.pick(SIMPLE), self.random.randint(2, 4) * 3
         if self.blended:
             mode, count = "GL_TRIANGLES", 3
-        made, first = self.attributes(), len(self.lines)
+        made, first, changing = self.attributes(), len(self.lines), ""
+        if self.lit and not self.tracked and not self.in_list and mode != "GL_LINE_LOOP" and self.chance(0.3):
+            changing = f"{self.pick(['GL_FRONT', 'GL_BACK', 'GL_FRONT_AND_BACK'])}, {self.pick(MATERIAL)}"
         self.say(f"glBegin({mode})")
         for k in range(count):
             self.say(*(attribute() for attribute in made if k == 0 or self.chance(0.8)))
-            if self.lit and not self.tracked and not self.in_list and mode != "GL_LINE_LOOP" and self.chance(0.15):
-                self.material()
+            if changing and (k == 0 or self.chance(0.3)):
+                self.say(f"glMaterialfv({changing}, [{self.color(0)}])")
             self.say(self.position())
         self.say("glEnd()")
         self.join(first)
@@ -423,6 +432,7 @@ class Author:
             self.say("glEnable(GL_CULL_FACE)")
         self.say("glPushMatrix()")
         self.transform()
+        self.say(f"glRotatef({self.number(10, 80)}, {self.numbers(3, 0.2, 1)})")
         self.say(f"ball({self.random.randint(3, 12)}, {self.random.randint(2, 8)}, {self.number(0.3, 0.9)}, mode=GL_TRIANGLES)")
         self.say("glPopMatrix()")
         self.join(first)
@@ -488,8 +498,7 @@ class Author:
         self.lists += 1
         number, self.in_list = self.lists, True
         self.say(f"glNewList({number}, {self.pick(['GL_COMPILE', 'GL_COMPILE'] + ([] if self.blended else ['GL_COMPILE_AND_EXECUTE']))})")
-        for _ in range(1 if self.blended else self.random.randint(1, 3)):
-            self.random.choice([Author.primitive, Author.sphere, Author.rectangle, Author.plane, Author.stack])(self)
+        self.random.choice([Author.primitive, Author.sphere, Author.rectangle, Author.plane, Author.stack])(self)
         if number > 1 and not self.blended and self.chance(0.4):
             self.say(f"glCallList({number - 1})")
         self.say("glEndList()", f"glColor4f({self.color()})", f"glNormal3f({self.numbers(2, -0.5, 0.5)}, 1)")
@@ -544,6 +553,7 @@ class Author:
         kind = self.random.randrange(4)
         width, height = 4 * self.random.randint(1, 10), self.random.randint(3, 30)
         if self.chance(0.4):
+            self.say(f"glWindowPos2i({self.random.randint(0, 90)}, {self.random.randint(0, 90)})")
             self.say(f"glPixelZoom({self.pick(['2', '1.5', '-1', '3'])}, {self.pick(['2', '1', '-2'])})")
         if kind == 0 and not self.exact and self.chance(0.5):
             self.say(f"glPixelTransferf(GL_RED_SCALE, {self.number(0.5, 1.5)})", f"glPixelTransferf(GL_BLUE_BIAS, {self.number(-0.3, 0.3)})")

@@ -58,12 +58,12 @@ def flag(lines: list[str], screen: glsim.Offscreen) -> str:
         found = measure(*pictures(lines, screen))
     except Exception as error:
         return f"{type(error).__name__}: {error}"
-    return f"{found}" if differs(found) else ""
+    return f"{found}" if differs(found, any("glClipPlane" in line for line in lines)) else ""
 
 
-def differs(found: Difference) -> bool:
-    """The criteria of test_native.py."""
-    return found.coverage > 0 or found.within_1 < 0.999 or found.worst > 3
+def differs(found: Difference, clipped: bool = False) -> bool:
+    """The criteria of test_native.py; where glClipPlane cuts, the last bit decides about single pixels."""
+    return found.coverage > (2 if clipped else 0) or found.within_1 < 0.999 or found.worst > 3
 
 
 def shortest(lines: list[str], interesting: Callable[[list[str]], bool]) -> list[str]:
