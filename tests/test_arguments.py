@@ -108,7 +108,8 @@ def test_indices_points_pixels_and_buffers_come_from_pointers(screen: glsim.Offs
     glWindowPos2i(100, 100)
     glDrawPixels(2, 1, GL_RGB, GL_UNSIGNED_BYTE, pointer(255, 0, 0, 0, 255, 0, kind=ctypes.c_ubyte))
     picture = screen.pixels()
-    assert picture[64, 32, 0] == 255 and picture[27, 100:102, :2].tolist() == [[255, 0], [0, 255]]
+    assert picture[64, 32, 0] == 255
+    assert picture[27, 100:102, :2].tolist() == [[255, 0], [0, 255]]
     glMap1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, pointer(*range(6)))
     assert glGetMapfv(GL_MAP1_VERTEX_3, GL_COEFF).tolist() == list(range(6))
     glBindBuffer(GL_ARRAY_BUFFER, 1)
@@ -135,7 +136,7 @@ def test_answers_go_where_pointers_lead(screen: glsim.Offscreen) -> None:
 
 
 REFUSED: list[tuple[Callable[[], object], str]] = [
-    (lambda: glRectfv(itertools.count(), itertools.count()), "glRectfv: v1 must be a list, tuple or array of 2 numbers"),
+    (lambda: glRectfv(itertools.count(), itertools.count()), "glRectfv: v1 must be a list, .* of 2 numbers"),
     (lambda: glRectfv(FLOATS(), FLOATS()), "glRectfv: v1 must be .* 2 numbers"),
     (lambda: glVertex3fv(itertools.count()), "glVertex3fv: v must be a list, tuple or array of 3 numbers"),
     (lambda: glColor3fv([1, 0, 1, 1]), "glColor3fv: v must be a list, tuple or array of 3 numbers, not"),
@@ -220,7 +221,9 @@ def test_names_of_ctypes_are_names(screen: glsim.Offscreen) -> None:
     glBindBuffer(GL_ARRAY_BUFFER, ctypes.c_uint(4))
     glCallList(ctypes.c_uint(3))
     assert current_color() == [0.5, 0, 0, 1]
-    assert glIsList(ctypes.c_uint(3)) and glIsBuffer(ctypes.c_uint(4)) and not glIsList(ctypes.c_uint(4))
+    assert glIsList(ctypes.c_uint(3))
+    assert glIsBuffer(ctypes.c_uint(4))
+    assert not glIsList(ctypes.c_uint(4))
 
 
 def test_a_triangle_of_ctypes(screen: glsim.Offscreen) -> None:
@@ -268,7 +271,8 @@ def test_surplus_arguments_are_ignored(screen: glsim.Offscreen) -> None:
     glRotatef(90, 0, 0, 1, 7)
     glClear(GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT)
     glEnable(GL_LIGHTING, GL_LIGHT0)
-    assert glIsEnabled(GL_LIGHTING) and not glIsEnabled(GL_LIGHT0)
+    assert glIsEnabled(GL_LIGHTING)
+    assert not glIsEnabled(GL_LIGHT0)
     glNewList(1, GL_COMPILE)
     glColor3f(0.5, 0, 1, 0)
     glTranslatef(1, 0, 0, 1)
@@ -283,8 +287,8 @@ def test_surplus_arguments_are_ignored(screen: glsim.Offscreen) -> None:
 
 
 @pytest.mark.parametrize(
-    "bits", [b"\xf0", "\xf0", bytearray(b"\xf0"), memoryview(b"\xf0"), array.array("B", [0xF0]), array.array("b", [-16]),
-             np.array([0xF0], np.uint8), [0xF0], (ctypes.c_ubyte * 1)(0xF0)]
+    "bits", [b"\xf0", "\xf0", bytearray(b"\xf0"), memoryview(b"\xf0"), array.array("B", [0xF0]),
+             array.array("b", [-16]),             np.array([0xF0], np.uint8), [0xF0], (ctypes.c_ubyte * 1)(0xF0)]
 )  # fmt: skip
 def test_bitmaps_are_bytes_of_many_kinds(screen: glsim.Offscreen, bits: Any) -> None:
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1)

@@ -103,7 +103,7 @@ def test_a_bad_rectangle_leaves_everything_as_it_was(screen: glsim.Offscreen) ->
         glRectf(0, 0, 1, None)
     glEnable(GL_LIGHTING)
     glColor3f(None, 0, 0)
-    with pytest.raises(TypeError, match="glRectf: the current color .glColor. is not made of numbers"):
+    with pytest.raises(TypeError, match=r"glRectf: the current color \(glColor\) is not made of numbers"):
         glRectf(0, 0, 1, 1)
 
 

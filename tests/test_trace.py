@@ -50,6 +50,12 @@ def long_normals(mended: bool) -> None:
     glRectf(-1, -1, 1, 1)
 
 
+@mistake("surplus")
+def alpha_too_many(mended: bool) -> None:
+    glColor3f(1, 1, 0, *(() if mended else (1,)))
+    glRectf(-1, -1, 1, 1)
+
+
 @mistake("light-before-camera")
 def headlight(mended: bool) -> None:
     lit()
@@ -264,3 +270,17 @@ glutMainLoop()
     found = glsim.trace(script).mistakes
     assert {entry.kind for entry in found} == {"near-plane", "error"}
     assert all(entry.where is not None and entry.where.line == 6 for entry in found)
+
+
+def test_surplus_arguments_are_named_with_the_command_that_takes_them() -> None:
+    glsim.offscreen(16, 16)
+    with capture(calls=True) as frame:
+        glColor3f(1, 1, 0, 1)
+        glRotatef(90, 0, 0, 1, 0)
+        glGenTextures(1)
+    said = [mistake.sentence for mistake in glsim.trace(frame).mistakes]
+    assert said == [
+        "glColor3f(1, 1, 0, 1): glColor3f takes 3 arguments (red, green, blue) and ignores what comes after: glColor4f"
+        " takes 4",
+        "glRotatef(90, 0, 0, 1, 0): glRotatef takes 4 arguments (angle, x, y, z) and ignores what comes after",
+    ]

@@ -349,6 +349,7 @@ GL_LUMINANCE6_ALPHA2: Enum
 GL_LUMINANCE8: Enum
 GL_LUMINANCE8_ALPHA8: Enum
 GL_LUMINANCE_ALPHA: Enum
+GL_MAJOR_VERSION: Enum
 GL_MAP1_COLOR_4: Enum
 GL_MAP1_GRID_DOMAIN: Enum
 GL_MAP1_GRID_SEGMENTS: Enum
@@ -395,6 +396,7 @@ GL_MAX_TEXTURE_STACK_DEPTH: Enum
 GL_MAX_TEXTURE_UNITS: Enum
 GL_MAX_VIEWPORT_DIMS: Enum
 GL_MIN: Enum
+GL_MINOR_VERSION: Enum
 GL_MIRRORED_REPEAT: Enum
 GL_MODELVIEW: Enum
 GL_MODELVIEW_MATRIX: Enum
@@ -424,6 +426,7 @@ GL_NORMAL_MAP: Enum
 GL_NOTEQUAL: Enum
 GL_NO_ERROR: Enum
 GL_NUM_COMPRESSED_TEXTURE_FORMATS: Enum
+GL_NUM_EXTENSIONS: Enum
 GL_OBJECT_LINEAR: Enum
 GL_OBJECT_PLANE: Enum
 GL_ONE: Enum
@@ -580,6 +583,7 @@ GL_SELECTION_BUFFER_SIZE: Enum
 GL_SEPARATE_SPECULAR_COLOR: Enum
 GL_SET: Enum
 GL_SHADE_MODEL: Enum
+GL_SHADING_LANGUAGE_VERSION: Enum
 GL_SHININESS: Enum
 GL_SHORT: Enum
 GL_SINGLE_COLOR: Enum
@@ -968,6 +972,7 @@ def glGetQueryObjectiv(id: int, pname: int, params: Any = ...) -> Any: ...
 def glGetQueryObjectuiv(id: int, pname: int, params: Any = ...) -> Any: ...
 def glGetQueryiv(target: int, pname: int, params: Any = ...) -> Any: ...
 def glGetString(name: int) -> Any: ...
+def glGetStringi(name: int, index: int) -> Any: ...
 def glGetTexEnvfv(env: int, pname: int, params: Any = ...) -> Any: ...
 def glGetTexEnviv(env: int, pname: int, params: Any = ...) -> Any: ...
 def glGetTexGendv(coord: int, pname: int, params: Any = ...) -> Any: ...

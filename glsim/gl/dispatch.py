@@ -93,7 +93,7 @@ def public(command: Command, body: Function, parameters: tuple[str, ...], defaul
     made.__module__ = "glsim.gl"
     made.__doc__ = body.__doc__
     made.__defaults__ = defaults
-    made.__signature__ = _signature(parameters, defaults)  # type: ignore[attr-defined]
+    made.__signature__ = _signature(parameters, defaults)
     return made  # type: ignore[no-any-return]
 
 
@@ -167,7 +167,7 @@ def suffix_free(family: str, functions: dict[str, Function]) -> Function:
 
 def _suffix_free_parameter(family: str, functions: dict[str, Function]) -> Function:
     scalar, vector = functions[f"{family}f"], functions.get(f"{family}fv")
-    names = FAMILIES[family][0].parameters[:-1] + ("params",)
+    names = (*FAMILIES[family][0].parameters[:-1], "params")
 
     def call(*arguments: Any) -> Any:
         if len(arguments) < len(names):

@@ -25,7 +25,7 @@ from glsim.machine.constants import (
     GL_QUADS,
     GL_TRIANGLES,
 )
-from glsim.machine.errors import invalid_enum, invalid_value
+from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
 from glsim.machine.frame import ROW, ROW_BYTES
 from glsim.machine.machine import Machine
 from glsim.machine.types import plain
@@ -63,6 +63,11 @@ def _check(names: str, low: float, high: float, stride: int, order: int, compone
         raise invalid_value("order", order, f"from 1 to {MAX_EVAL_ORDER}")
 
 
+def _check_unit(m: Machine) -> None:
+    if m.texture.active_unit:
+        raise invalid_operation(f"maps belong to GL_TEXTURE0, but GL_TEXTURE{m.texture.active_unit} is active")
+
+
 def _taken(points: Any, index: NDArray[np.int64]) -> Float:
     """Control points out of the program's array of numbers."""
     flat = np.asarray(numbers(plain(points, int(index.max()) + 1)))
@@ -89,6 +94,7 @@ def glMap1f(m: Machine, target: int, u1: float, u2: float, stride: Any, order: A
             raise ValueError(f"points must have the shape (order, {k}), not {points.shape}")
         order, stride = points.shape
     _check("u1 and u2", u1, u2, stride, order, k)
+    _check_unit(m)
     index = np.arange(order)[:, None] * int(stride) + np.arange(k)
     m.maps[target] = Map(_taken(points, index), (float(u1), float(u2)))
 
@@ -116,6 +122,7 @@ def glMap2f(
         ustride = vorder * vstride
     _check("u1 and u2", u1, u2, ustride, uorder, k)
     _check("v1 and v2", v1, v2, vstride, vorder, k)
+    _check_unit(m)
     u, v = np.arange(uorder)[:, None, None] * int(ustride), np.arange(vorder)[:, None] * int(vstride)
     m.maps[target] = Map(_taken(points, u + v + np.arange(k)), (float(u1), float(u2), float(v1), float(v2)))
 

@@ -36,7 +36,6 @@ from glsim.machine.constants import (
     GL_MAP_COLOR,
     GL_MAP_STENCIL,
     GL_NONE,
-    GL_PACK_ALIGNMENT,
     GL_PIXEL_MAP_I_TO_I,
     GL_PIXEL_MAP_S_TO_S,
     GL_RED_BIAS,
@@ -44,7 +43,6 @@ from glsim.machine.constants import (
     GL_RIGHT,
     GL_STENCIL,
     GL_STENCIL_INDEX,
-    GL_UNPACK_ALIGNMENT,
 )
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Pixels
@@ -79,15 +77,14 @@ def glPixelStore(m: Machine, pname: int, param: float) -> None:
     fields = UNPACK_FIELDS if pname in UNPACK_FIELDS else PACK_FIELDS
     if pname not in fields:
         raise invalid_enum("pname", pname, "GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH or another way to store pixels")
-    if pname in (GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT):
-        if param not in (1, 2, 4, 8):
-            raise invalid_value("param", param, "1, 2, 4 or 8")
-    elif param < 0:
+    field = fields[pname]
+    value = param != 0.0 if field in ("swap_bytes", "lsb_first") else int(np.floor(param + 0.5))
+    if field == "alignment" and value not in (1, 2, 4, 8):
+        raise invalid_value("param", param, "1, 2, 4 or 8")
+    if value < 0:
         raise invalid_value("param", param, "at least 0")
     store = m.unpack_store if fields is UNPACK_FIELDS else m.pack_store
-    field = fields[pname]
-    kind: Any = bool if field in ("swap_bytes", "lsb_first") else int
-    store = store._replace(**{field: kind(param)})
+    store = store._replace(**{field: value})
     if fields is UNPACK_FIELDS:
         m.unpack_store = store
     else:

@@ -15,7 +15,7 @@ from glsim.gl.pixels import BIASES, MAX_PIXEL_MAP_TABLE, SCALES
 from glsim.gl.raster import LARGEST_LINE, LARGEST_POINT
 from glsim.gl.select import MAX_NAME_STACK_DEPTH, render_mode
 from glsim.machine import constants as gl
-from glsim.machine.errors import invalid_enum
+from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.machine import ATTRIB_STACK_DEPTH, MAX_LIST_NESTING, STACK_DEPTH, Machine
 from glsim.machine.pixels import MAPS, PACK_FIELDS, UNPACK_FIELDS
 from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS, TEXTURE_UNITS
@@ -30,7 +30,7 @@ COLOURS = {
     gl.GL_DEPTH_CLEAR_VALUE, gl.GL_DEPTH_RANGE, gl.GL_CURRENT_SECONDARY_COLOR,
     gl.GL_AMBIENT, gl.GL_DIFFUSE, gl.GL_SPECULAR, gl.GL_EMISSION, gl.GL_FOG_COLOR, gl.GL_BLEND_COLOR,
     gl.GL_TEXTURE_ENV_COLOR, gl.GL_TEXTURE_BORDER_COLOR,
-    gl.GL_ALPHA_TEST_REF,
+    gl.GL_ALPHA_TEST_REF, gl.GL_CURRENT_RASTER_COLOR, gl.GL_ACCUM_CLEAR_VALUE,
 }  # fmt: skip
 
 
@@ -202,6 +202,9 @@ GETTERS: dict[int, Getter] = {
     gl.GL_MAX_ATTRIB_STACK_DEPTH: lambda m: ATTRIB_STACK_DEPTH,
     gl.GL_CLIENT_ATTRIB_STACK_DEPTH: lambda m: len(m.client_attrib_stack),
     gl.GL_MAX_CLIENT_ATTRIB_STACK_DEPTH: lambda m: ATTRIB_STACK_DEPTH,
+    gl.GL_MAJOR_VERSION: lambda m: 1,
+    gl.GL_MINOR_VERSION: lambda m: 5,
+    gl.GL_NUM_EXTENSIONS: lambda m: len(EXTENSIONS.split()),
     gl.GL_LIST_BASE: lambda m: m.list_base,
     gl.GL_MAX_LIST_NESTING: lambda m: MAX_LIST_NESTING,
 }
@@ -323,6 +326,12 @@ EXTENSIONS = (
 )
 
 
+# OpenGL 1.5 has no shading language.  Programs of later versions print this string, or compare its number.
+NO_SHADING_LANGUAGE = (
+    b"0.0 none: OpenGL 1.5 has no shaders; glsim.program_source() shows the GLSL that glsim draws with"
+)
+
+
 def glGetString(m: Machine, name: int) -> bytes:
     """As bytes, like PyOpenGL."""
     info = m.device.describe()
@@ -336,4 +345,16 @@ def glGetString(m: Machine, name: int) -> bytes:
         return f"1.5 glsim {__version__} on OpenGL {info['version']}".encode()
     if name == gl.GL_EXTENSIONS:
         return EXTENSIONS
+    if name == gl.GL_SHADING_LANGUAGE_VERSION:
+        return NO_SHADING_LANGUAGE
     raise invalid_enum("name", name, "GL_VENDOR, GL_RENDERER, GL_VERSION or GL_EXTENSIONS")
+
+
+def glGetStringi(m: Machine, name: int, index: int) -> bytes:
+    """The extensions one by one, from 0 to GL_NUM_EXTENSIONS - 1."""
+    if name != gl.GL_EXTENSIONS:
+        raise invalid_enum("name", name, "GL_EXTENSIONS")
+    names = EXTENSIONS.split()
+    if not 0 <= index < len(names):
+        raise invalid_value("index", index, f"from 0 to {len(names) - 1}")
+    return names[int(index)]

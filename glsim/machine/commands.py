@@ -228,8 +228,8 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command("glStencilFunc", "func:enum ref:i mask:ui")
     yield _command("glStencilOp", "sfail:enum dpfail:enum dppass:enum")
     yield _command("glDepthFunc", "func:enum")
-    yield _command("glBeginQuery", "target:enum id:ui", listed=False)
-    yield _command("glEndQuery", "target:enum", listed=False)
+    yield _command("glBeginQuery", "target:enum id:ui")
+    yield _command("glEndQuery", "target:enum")
     yield _command("glGenQueries", "n:sizei", listed=False, result="ui")
     yield _command("glDeleteQueries", "n:sizei ids:data", listed=False)
     yield _command("glBlendEquation", "mode:enum")
@@ -294,6 +294,7 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command("glIsEnabled", "cap:enum", listed=False, result="boolean")
     yield _command("glGetPointerv", "pname:enum", listed=False, result="data")
     yield _command("glGetString", "name:enum", listed=False, result="data")
+    yield _command("glGetStringi", "name:enum index:ui", listed=False, result="data")  # OpenGL 3.0
     yield _command("glGetError", listed=False, result="enum", inside=True)
     yield _command("glGetClipPlane", "plane:enum", listed=False, result="data")
     yield _get("glGetLight", "i f", "light:enum pname:enum")

@@ -156,6 +156,7 @@ def stub(name: str, signature: inspect.Signature) -> str:
 INDEX_MODE = "accepted without effect: colour-index mode is not emulated, every context is RGBA"
 NO_FORMAT = "refused with GL_INVALID_ENUM: OpenGL 1.5 names no compressed format, and glsim offers none"
 REMARKS = {
+    "glGetStringi": "supported, though of OpenGL 3.0: programs ask for the extensions one by one",
     "glHint": "accepted without effect: there is one way to draw everything",
     "glPrioritizeTextures": "accepted without effect: every texture is resident",
     "glIndex": INDEX_MODE, "glIndexPointer": INDEX_MODE, "glIndexMask": INDEX_MODE, "glClearIndex": INDEX_MODE,

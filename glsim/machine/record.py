@@ -217,7 +217,7 @@ def kept(name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
 
 
 def python_arguments(command: Command, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
-    """The arguments of a call with Python's numbers instead of ctypes', and arrays where pointers of known length were."""
+    """The arguments of a call with Python's numbers instead of ctypes', and an array for a pointer of known length."""
     given = tuple(map(plain, arguments))
     wanted = [numbers_wanted(command, given, place) for place in range(min(len(command.arguments), len(given)))]
     return (*map(plain, given, wanted), *given[len(wanted) :])

@@ -100,7 +100,9 @@ def fill(array: Any, values: Any) -> Any:
     except (TypeError, ValueError):
         view = np.asarray(None)
     if isinstance(target, (int, float, tuple)) or view.dtype.kind not in "biuf" or not view.flags.writeable:
-        raise TypeError(f"the array for the answer must be a list, or a NumPy or ctypes array of numbers, not {array!r:.60}")
+        raise TypeError(
+            f"the array for the answer must be a list, or a NumPy or ctypes array of numbers, not {array!r:.60}"
+        )
     if view.size < len(values):
         raise ValueError(f"the array for the answer has room for {view.size} numbers, but the answer has {len(values)}")
     view.flat[: len(values)] = values

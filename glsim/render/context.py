@@ -65,6 +65,13 @@ def release_abandoned() -> None:
             _release(*entry[1:])
 
 
+def _checked_size(call: str, width: int, height: int) -> tuple[int, int]:
+    for name, value in (("width", width), ("height", height)):
+        if not isinstance(value, (int, np.integer)) or not 1 <= value <= LARGEST:
+            raise ValueError(f"{call}: {name} must be an integer from 1 to {LARGEST}, not {value!r}")
+    return int(width), int(height)
+
+
 class Offscreen:
     """A context of its own that draws without a window.  Make one with ``glsim.offscreen``.
 
@@ -77,10 +84,7 @@ class Offscreen:
         self._released = False
         self.double_buffered = False  # what glGet(GL_DOUBLEBUFFER) says
         release_abandoned()
-        for name, value in (("width", width), ("height", height)):
-            if not isinstance(value, (int, np.integer)) or not 1 <= value <= LARGEST:
-                raise ValueError(f"glsim.offscreen: {name} must be an integer from 1 to {LARGEST}, not {value!r}")
-        self.width, self.height = int(width), int(height)
+        self.width, self.height = _checked_size("glsim.offscreen", width, height)
         self.backend, self._loader = open_loader(backend)
         self.ctx = moderngl.create_context(context=self._loader, require=330)
         self.samples = self._samples(samples)
@@ -263,12 +267,13 @@ class Offscreen:
     def resize(self, width: int, height: int) -> None:
         """Another size; the picture is black afterwards, all state stays."""
         self._check()
+        width, height = _checked_size("resize", width, height)
         self.machine.flush()
         with self.ctx:
             for depth in self._depths:  # moderngl's objects go when they are replaced
                 self._raw.glDeleteRenderbuffers(1, ctypes.byref(depth))
             self._depths.clear()
-            self.width, self.height = int(width), int(height)
+            self.width, self.height = width, height
             self._target = self._framebuffer(self.samples)
             self._resolved = self._framebuffer(0) if self.samples else self._target
             self._renderer.resize((self.width, self.height))

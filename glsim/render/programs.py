@@ -309,6 +309,7 @@ def _unit_constants(units: tuple[UnitKind, ...]) -> list[str]:
         ("bool", "TEXTURE_IS_INTENSITY", [unit.is_intensity for unit in every]),
         ("bool", "TEXTURE_IS_DEPTH", [unit.is_depth for unit in every]),
         ("bool", "CLAMP", [flag for unit in every for flag in unit.clamp]),
+        ("bool", "CLAMPS", [any(unit.clamp) for unit in every]),
         ("int", "TEXENV", [unit.environment for unit in every]),
         ("int", "TEXGEN", [mode for unit in every for mode in unit.generated]),
         ("int", "COMBINE_RGB", [combine.rgb for combine in combines]),

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from collections.abc import Iterator, Sequence
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.assembly import corners
+from glsim.machine.commands import COMMANDS, FAMILIES
 from glsim.machine.constants import (
     GL_ALWAYS,
     GL_COLOR_BUFFER_BIT,
@@ -19,6 +22,7 @@ from glsim.machine.constants import (
     GL_SMOOTH,
 )
 from glsim.machine.frame import Call, Draw, Frame, Moment, Where
+from glsim.machine.record import implementations
 from glsim.machine.stage import illumination, vertex_stage, window
 from glsim.render.batch import assembled
 from glsim.shading import normalize
@@ -47,6 +51,7 @@ DIAGNOSES = {
     "matrix-stack": "this glPushMatrix has no glPopMatrix: if that is so in each frame, the stack overflows",
     "depth-not-cleared": "GL_DEPTH_TEST is on, but this glClear leaves the depth buffer as it is: the next frame is"
     " hidden behind this one; add GL_DEPTH_BUFFER_BIT",
+    "surplus": "{call}: {name} takes {count} ({names}) and ignores what comes after{other}",
     "error": "{error}",
 }
 
@@ -84,6 +89,7 @@ class Detector:
 
     def call(self, number: int, call: Call, before: Moment, after: Moment) -> Iterator[Mistake]:
         name, arguments = call.name, call.arguments
+        yield from self._surplus(number, call)
         if name in ("glEnable", "glDisable") and arguments[0] == GL_COLOR_MATERIAL:
             self.color_material_on = number if name == "glEnable" and not self.color_material_said else None
         elif name == "glColorMaterial":
@@ -104,6 +110,19 @@ class Detector:
                 self.clear = number
             if int(arguments[0]) & GL_DEPTH_BUFFER_BIT:
                 self.depth_clear = number
+
+    def _surplus(self, number: int, call: Call) -> Iterator[Mistake]:
+        names = _parameters(call.name)
+        if len(call.arguments) <= len(names):
+            return
+        one = COMMANDS[call.name]
+        wider = [
+            c.name for c in FAMILIES[one.family] if len(c.parameters) == len(call.arguments) and c.type == one.type
+        ]
+        other = f": {wider[0]} takes {len(call.arguments)}" if wider else ""
+        count = f"{len(names)} argument{'s' * (len(names) != 1)}"
+        words = {"call": call_text(call), "name": call.name, "count": count, "names": ", ".join(names), "other": other}
+        yield self._mistake("surplus", number, **words)
 
     def _color_material(self, number: int, before: Moment, after: Moment) -> Iterator[Mistake]:
         old, new = before.state.lighting, after.state.lighting
@@ -175,6 +194,11 @@ class Detector:
         if self.frame.error:
             last = len(self.frame.calls) - 1
             yield self._mistake("error", last, error=self.frame.error)._replace(where=self.frame.error_at)
+
+
+@cache
+def _parameters(name: str) -> tuple[str, ...]:
+    return tuple(inspect.signature(implementations[name]).parameters)
 
 
 def _via(call: Call) -> str:

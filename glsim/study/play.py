@@ -28,7 +28,7 @@ from glsim.machine.frame import Draw, Frame
 from glsim.machine.record import Recorder
 from glsim.study import alias, toolkits
 from glsim.study.frames import needed
-from glsim.study.python2 import ConversionError, compiled, is_python_3, prepare
+from glsim.study.python2 import ConversionError, compiled, convert_modules, is_python_3, prepare
 
 MOST_ERRORS = 5  # a program that fails so often is stopped
 PATIENCE = 1.0  # seconds
@@ -128,9 +128,11 @@ class Player:
 
     def _compiled(self) -> types.CodeType:
         source = Path(self.script).read_bytes()
+        if self.plan.python2:
+            convert_modules(os.path.dirname(self.script))
         if self.plan.python2 and not is_python_3(source, self.script):
             code = compiled(source, self.script)
-            prepare(os.path.dirname(self.script))
+            prepare()
             loop.text_keys = True
             self.record.notes.append("converted from Python 2 (--no-python2 switches that off)")
             print(f"glsim run: {self.plan.script} is Python 2: converted in memory", file=sys.stderr)

@@ -10,6 +10,7 @@ import string
 import sys
 import types
 import warnings
+from functools import cache
 from importlib import import_module
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import FileFinder, ModuleSpec, SourceFileLoader
@@ -50,11 +51,11 @@ def converted(source: bytes, name: str) -> str:
 
 def compiled(source: bytes, name: str) -> types.CodeType:
     """The code of a program of Python 2, in which / of two integers gives an integer.  Raises ConversionError."""
-    tree = ast.parse(converted(source, name), name)
+    tree = ast.fix_missing_locations(_CharacterArrays().visit(ast.parse(converted(source, name), name)))
     future = [node for node in tree.body if isinstance(node, ast.ImportFrom) and node.module == "__future__"]
     if not any(alias.name == "division" for node in future for alias in node.names):
         tree = ast.fix_missing_locations(_Division().visit(tree))
-    builtins.__dict__[DIVIDE] = divide
+    builtins.__dict__[DIVIDE], builtins.__dict__[CHARACTERS] = divide, Characters
     return compile(tree, name, "exec")
 
 
@@ -89,6 +90,66 @@ class _Division(ast.NodeTransformer):
         return ast.Call(ast.Name(DIVIDE, ast.Load()), [left, right], [])
 
 
+CHARACTERS = "_python_2_characters"
+
+
+class _CharacterArrays(ast.NodeTransformer):
+    """array("c", ...) -> Characters(...)."""
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        self.generic_visit(node)
+        name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+        if name == "array" and node.args and isinstance(node.args[0], ast.Constant) and node.args[0].value == "c":
+            return ast.copy_location(ast.Call(ast.Name(CHARACTERS, ast.Load()), node.args[1:], node.keywords), node)
+        return node
+
+
+class Characters(bytearray):
+    """Python 2's array("c"): bytes that are read and written as characters."""
+
+    typecode, itemsize = "c", 1
+
+    def __init__(self, characters: Any = "") -> None:
+        super().__init__(_as_bytes(characters))
+
+    def __getitem__(self, place: Any) -> Any:
+        found = super().__getitem__(place)
+        return Characters(found) if isinstance(place, slice) else chr(found)
+
+    def __setitem__(self, place: Any, value: Any) -> None:
+        given = _as_bytes(value)
+        super().__setitem__(place, given if isinstance(place, slice) else given[0])
+
+    def __iter__(self) -> Any:
+        return map(chr, bytes(self))
+
+    def __add__(self, other: Any) -> Any:
+        return Characters(bytes(self) + _as_bytes(other))
+
+    def __mul__(self, count: Any) -> Any:
+        return Characters(bytes(self) * count)
+
+    def append(self, character: Any) -> None:
+        super().append(_as_bytes(character)[0])
+
+    def extend(self, characters: Any) -> None:
+        super().extend(_as_bytes(characters))
+
+    fromstring = fromlist = extend
+
+    def tostring(self) -> str:
+        return self.decode("latin-1")
+
+    def tolist(self) -> list[str]:
+        return list(self)
+
+
+def _as_bytes(characters: Any) -> bytes:
+    if isinstance(characters, (bytes, bytearray)):
+        return bytes(characters)
+    return "".join(characters).encode("latin-1")
+
+
 # ---------------------------------------------------------------- what such programs import
 
 OLD_MODULES = {
@@ -97,11 +158,17 @@ OLD_MODULES = {
 }  # fmt: skip
 
 
-def prepare(folder: str) -> None:
-    """Modules beside the program are converted too, and what Python 2 had elsewhere is found again."""
+def convert_modules(folder: str) -> None:
+    """Modules of Python 2 beside the program, and in folders there, are converted too."""
     loader = (_Loader, [".py"])
     sys.path_hooks.insert(0, _only(folder, FileFinder.path_hook(loader)))
-    sys.path_importer_cache.pop(folder, None)
+    for path in [path for path in sys.path_importer_cache if _is_beside(folder, path)]:
+        del sys.path_importer_cache[path]
+
+
+@cache
+def prepare() -> None:
+    """What Python 2 had elsewhere is found again."""
     sys.meta_path.append(_OldModules())
     for name in ("split", "join", "lower", "upper", "replace", "strip", "lstrip", "rstrip", "find", "count"):
         if not hasattr(string, name):
@@ -112,9 +179,14 @@ def prepare(folder: str) -> None:
     string.letters = string.ascii_letters  # type: ignore[attr-defined]
 
 
+def _is_beside(folder: str, path: str) -> bool:
+    path = os.path.join(os.path.abspath(path), "")
+    return path.startswith(os.path.join(folder, "")) and "site-packages" not in path
+
+
 def _only(folder: str, hook: Any) -> Any:
     def limited(path: str) -> Any:
-        if os.path.abspath(path) != folder:
+        if not _is_beside(folder, path):
             raise ImportError
         return hook(path)
 
@@ -124,7 +196,10 @@ def _only(folder: str, hook: Any) -> Any:
 class _Loader(SourceFileLoader):
     def source_to_code(self, data: Any, path: Any, *, _optimize: int = -1) -> Any:  # type: ignore[override]
         source = bytes(data)
-        return compile(source, path, "exec") if is_python_3(source, str(path)) else compiled(source, str(path))
+        if is_python_3(source, str(path)):
+            return compile(source, path, "exec")
+        prepare()
+        return compiled(source, str(path))
 
     def cache_from_source(self, path: str) -> str:
         raise NotImplementedError  # nothing is written beside the program

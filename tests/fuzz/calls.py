@@ -172,12 +172,14 @@ class Fuzz:
         length = random.choice([1, 2, 3, 4, 4, 4, 8, 16, 16, 64, 1024])
         if kind == "any":
             kind = random.choice(["enum", "f", "i", "data"])
-        if odd:
+        if odd and name != "num_levels":
             return odd_data(random, length) if kind == "data" else odd_number(random, kind not in ("f", "d"))
         if kind == "enum":
             return self.enum(family, name)
         if kind == "data":
             return data(random, length)
+        if name == "num_levels":  # each level has four times as many tetrahedra
+            return random.randint(-1, 4)
         if kind == "callback":
             return random.choice([None, lambda *a: None])
         if kind == "bitfield":

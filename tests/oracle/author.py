@@ -39,7 +39,6 @@ AVOIDED = {
     "normals of GL_BYTE in arrays": "Mesa maps them by OpenGL 4.2's rule",
     "internal formats of other than 8 bits, texture borders": "glsim keeps 8 bits and no border (SUPPORT.md)",
     "textures without all their levels": "Mesa falls back to another dimension",
-    "GL_CLAMP and GL_CLAMP_TO_BORDER with formats other than GL_RGBA": "glsim does not reduce border colours yet",
     "GL_DECAL with formats other than GL_RGB and GL_RGBA": "undefined in the specification",
 }
 
@@ -221,7 +220,7 @@ class Author:
                  ("GL_UNSIGNED_SHORT", f"{data}.astype('u2') * 257")]
             )  # fmt: skip
             self.say(f"{image}, {kind}, {values})")
-        self.filters(target, mipmaps, internal in ("GL_RGBA", "GL_RGBA8"))
+        self.filters(target, mipmaps)
         self.environment(internal)
         self.say(f"glEnable({target})")
         self.units.append(target)
@@ -234,15 +233,14 @@ class Author:
             self.say("glActiveTexture(GL_TEXTURE0)")
         self.join(first)
 
-    def filters(self, target: str, mipmaps: bool, bordered: bool) -> None:
+    def filters(self, target: str, mipmaps: bool) -> None:
         filters = ["GL_LINEAR"]
         if mipmaps:
             filters = ["GL_LINEAR", "GL_LINEAR_MIPMAP_NEAREST", "GL_LINEAR_MIPMAP_LINEAR"]
         self.say(f"glTexParameteri({target}, GL_TEXTURE_MIN_FILTER, {self.pick(filters)})")
         for axis in "STR":
-            if target != "GL_TEXTURE_CUBE_MAP" and (self.chance(0.5) or not bordered):
-                wraps = ["GL_REPEAT", "GL_CLAMP_TO_EDGE", "GL_MIRRORED_REPEAT"]
-                wraps += ["GL_CLAMP", "GL_CLAMP_TO_BORDER"] if bordered else []
+            if target != "GL_TEXTURE_CUBE_MAP" and self.chance(0.5):
+                wraps = "GL_CLAMP GL_REPEAT GL_CLAMP_TO_EDGE GL_CLAMP_TO_BORDER GL_MIRRORED_REPEAT".split()
                 self.say(f"glTexParameteri({target}, GL_TEXTURE_WRAP_{axis}, {self.pick(wraps)})")
         if self.chance(0.4):
             self.say(f"glTexParameterfv({target}, GL_TEXTURE_BORDER_COLOR, [{self.color(0)}])")
