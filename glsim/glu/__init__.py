@@ -15,7 +15,11 @@ globals().update(constants.NAMES)
 GLU_TESS_MAX_COORD = constants.GLU_TESS_MAX_COORD
 for _topic in (errors, images, nurbs, quadric, tess, view):
     globals().update(
-        {name: explained(name, value) for name, value in vars(_topic).items() if name.startswith("glu") and name[3].isupper()}
+        {
+            name: explained(name, value)
+            for name, value in vars(_topic).items()
+            if name.startswith("glu") and name[3].isupper()
+        }
     )
 
 __all__ = [name for name in globals() if name.startswith("GLU") or (name[:3] == "glu" and name[3:4].isupper())]

@@ -21,6 +21,7 @@ from glsim import gl, glu, glut
 from glsim.glut.api import settings
 from glsim.glut.loop import loop
 from glsim.machine.commands import COMMANDS
+from glsim.machine.errors import is_a_sentence
 from glsim.machine.record import moment
 from tests.fuzz.values import data, number, odd_data, odd_number
 
@@ -32,7 +33,7 @@ cannot cast|out of bounds|invalid literal|must be real number|not supported betw
 unhashable|cannot convert float|to unpack|positional argument|argument after|bytes-like|int too large|int too big
 index out of range|list indices|incompatible types|unsupported operand|cannot be interpreted
 not iterable|not subscriptable|not callable|buffer size|can't|NoneType|new type|itemsize|ndarray is not|maximum supported
-math domain|float division|divide by zero|negative shift|too many indices|contiguous|truth value|Unable to allocate
+math domain|float division|divide by zero|negative shift|too many indices|C-contiguous|truth value|Unable to allocate
 argument must be|Overflow|out of range for|unsized|underlying buffer|zero-dimensional|0-d|codec|format requires
 """
 TELLTALES = re.compile("|".join(re.escape(p) for line in FOREIGN.split("\n") if line for p in line.split("|")), re.I)
@@ -43,6 +44,7 @@ ENUM_WORDS = {
     "target", "pname", "mode", "type", "format", "which", "face", "cap", "state", "draw", "normal", "orientation",
     "internalFormat", "typeIn", "typeOut", "property", "option", "displayMode",
 }  # fmt: skip
+PIECES = {"num_levels", "slices", "stacks", "loops", "nSides", "nRings"}  # large ones take a shape's time and memory
 DATA_WORDS = {
     "v", "v1", "v2", "params", "pixels", "data", "m", "points", "array", "pointer", "indices", "dataIn", "dataOut",
     "model", "proj", "view", "perspective", "location", "viewport", "offset", "string", "lists", "knots",
@@ -97,7 +99,9 @@ def accepted(name: str, error: BaseException) -> str:
     names = "gl[A-Z]\\w+" if name.startswith("glCallList") else f"{name}v?"  # what is called; glGetFloat is glGetFloatv
     if not re.match(f"{names}: ", sentence):
         return "without the command's name"
-    said = re.split(r", not |do not go together|not enough memory for", sentence)[0]  # then come the program's own values
+    said = re.split(r", not |do not go together|not enough memory for", sentence)[
+        0
+    ]  # then come the program's own values
     return "foreign words" if TELLTALES.search(said) else ""
 
 
@@ -157,7 +161,9 @@ class Fuzz:
 
     def _warned(self, message: Any, category: Any, filename: str, lineno: int, *rest: Any) -> None:
         if not issubclass(category, glu.GLUWarning):
-            self.report.note(f"warning {category.__name__}", f"{filename.partition('glsim/')[2]}:{lineno}", str(message))
+            self.report.note(
+                f"warning {category.__name__}", f"{filename.partition('glsim/')[2]}:{lineno}", str(message)
+            )
 
     # ------------------------------------------------------------ arguments
 
@@ -172,14 +178,14 @@ class Fuzz:
         length = random.choice([1, 2, 3, 4, 4, 4, 8, 16, 16, 64, 1024])
         if kind == "any":
             kind = random.choice(["enum", "f", "i", "data"])
-        if odd and name != "num_levels":
+        if odd and name not in PIECES:
             return odd_data(random, length) if kind == "data" else odd_number(random, kind not in ("f", "d"))
         if kind == "enum":
             return self.enum(family, name)
         if kind == "data":
             return data(random, length)
-        if name == "num_levels":  # each level has four times as many tetrahedra
-            return random.randint(-1, 4)
+        if name in PIECES:
+            return random.randint(-1, 4) if name == "num_levels" else number(random, True)
         if kind == "callback":
             return random.choice([None, lambda *a: None])
         if kind == "bitfield":
@@ -206,7 +212,11 @@ class Fuzz:
             wrong = accepted(callee.name, error)
             if wrong:
                 report.note(wrong, origin(error), f"{callee.name}{shown(given)}: {str(error)[:200]}")
-            if before is not None and family not in ("glCallList", "glCallLists") and moment(self.machine, 0)[1:] != before:
+            if (
+                before is not None
+                and family not in ("glCallList", "glCallLists")
+                and moment(self.machine, 0)[1:] != before
+            ):
                 report.note("half-done", callee.name, f"{callee.name}{shown(given)}: {error}")
             return True
         else:
@@ -225,7 +235,9 @@ class Fuzz:
         sentence = str(error).partition(": ")[2]
         for argument, kind in callee.arguments:
             if sentence.startswith(argument + " "):
-                names = (getattr(gl, n, getattr(glu, n, None)) for n in GL_NAME.findall(sentence.partition(", not ")[0]))
+                names = (
+                    getattr(gl, n, getattr(glu, n, None)) for n in GL_NAME.findall(sentence.partition(", not ")[0])
+                )
                 self.known[family, argument].update(int(n) for n in names if isinstance(n, int))
                 for (before, its_kind), value in zip(callee.arguments, given, strict=False):
                     if before == argument:
@@ -247,11 +259,14 @@ class Fuzz:
         try:
             self.tidy()
         except Exception as error:
-            self.report.note("at the flush: " + type(error).__name__, origin(error), str(error)[:200])
+            if not is_a_sentence(error):
+                self.report.note("at the flush: " + type(error).__name__, origin(error), str(error)[:200])
         if any(raised):
             found = self.canonical()
             if not np.array_equal(found, self.expected):
-                self.report.note("picture", f"round of call {self.report.calls}", f"{(found != self.expected).sum()} bytes")
+                self.report.note(
+                    "picture", f"round of call {self.report.calls}", f"{(found != self.expected).sum()} bytes"
+                )
 
     def tidy(self) -> None:
         """Draw what is left, and go back to the one window."""

@@ -23,7 +23,12 @@ from tests.oracle.texture_programs import texels
 SIZE = 128
 NAMES = {**{name: getattr(gl, name) for name in gl.__all__}, "np": np, "ball": ball, "texels": texels}
 
-PAIRS = (("glBegin(", "glEnd("), ("glPushAttrib(", "glPopAttrib("), ("glPushMatrix(", "glPopMatrix("), ("glNewList(", "glEndList("))
+PAIRS = (
+    ("glBegin(", "glEnd("),
+    ("glPushAttrib(", "glPopAttrib("),
+    ("glPushMatrix(", "glPopMatrix("),
+    ("glNewList(", "glEndList("),
+)
 
 
 def whole(lines: list[str]) -> bool:
