@@ -55,7 +55,7 @@ class GLError(Exception):
         return self
 
     def within(self, name: str, arguments: Sequence[Any]) -> GLError:
-        """The same error, of a call that made the failing one: glLight calls glLightfv, gluLookAt calls glMultMatrixf."""
+        """The same error, of a call that made the failing one: glLight makes glLightfv, say."""
         inner = self.baseOperation or name
         if not _related(inner, name):
             self.description = f"{inner}: {self.description}"

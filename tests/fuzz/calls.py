@@ -32,7 +32,8 @@ only integer scalar|only length-1|only size-1|a number is required|required argu
 cannot cast|out of bounds|invalid literal|must be real number|not supported between|object is not|has no attribute
 unhashable|cannot convert float|to unpack|positional argument|argument after|bytes-like|int too large|int too big
 index out of range|list indices|incompatible types|unsupported operand|cannot be interpreted
-not iterable|not subscriptable|not callable|buffer size|can't|NoneType|new type|itemsize|ndarray is not|maximum supported
+not iterable|not subscriptable|not callable|buffer size|can't|NoneType|new type|itemsize|ndarray is not
+maximum supported
 math domain|float division|divide by zero|negative shift|too many indices|C-contiguous|truth value|Unable to allocate
 argument must be|Overflow|out of range for|unsized|underlying buffer|zero-dimensional|0-d|codec|format requires
 """
@@ -233,7 +234,7 @@ class Fuzz:
     def learn(self, family: str, callee: Callee, given: list[Any], error: Exception) -> None:
         """What comes before the argument that a sentence blames was accepted; the names in it would be."""
         sentence = str(error).partition(": ")[2]
-        for argument, kind in callee.arguments:
+        for argument, _ in callee.arguments:
             if sentence.startswith(argument + " "):
                 names = (
                     getattr(gl, n, getattr(glu, n, None)) for n in GL_NAME.findall(sentence.partition(", not ")[0])

@@ -12,7 +12,10 @@ from typing import Any
 
 import numpy as np
 
-DTYPES = "f4 f8 f2 >f4 >f8 i1 u1 i2 u2 >u2 i4 u4 i8 u8 ? c8 O U3 S2 M8[s]".split()
+DTYPES = [
+    "f4", "f8", "f2", ">f4", ">f8", "i1", "u1", "i2", "u2", ">u2", "i4", "u4", "i8", "u8", "?", "c8", "O", "U3", "S2",
+    "M8[s]",
+]  # fmt: skip
 ENORMOUS = (
     float("nan"), float("inf"), float("-inf"), 1e30, -1e30, 1e300, 5e-324, 2**31 - 1, 2**31, -(2**31), 2**32, 2**40,
     2**63, 2**64, 10**400, 65536, 16385,

@@ -72,7 +72,7 @@ def differs(found: Difference, clipped: bool = False) -> bool:
 
 
 def shortest(lines: list[str], interesting: Callable[[list[str]], bool]) -> list[str]:
-    """Statements that are not needed are left out: halves, quarters, ... single ones, until none can go."""
+    """Statements that are not needed are left out: halves, quarters, ... single ones, a beginning with its end."""
     size = len(lines) // 2
     while size:
         start = 0
@@ -83,6 +83,12 @@ def shortest(lines: list[str], interesting: Callable[[list[str]], bool]) -> list
             else:
                 start += size
         size = size // 2 if size > 1 else 0
+    for first in reversed(range(len(lines))):
+        end = next((end for begin, end in PAIRS if lines[first].startswith(begin)), None)
+        last = next((k for k in range(first, len(lines)) if end and lines[k].startswith(end)), 0)
+        fewer = lines[:first] + lines[first + 1 : last] + lines[last + 1 :]
+        if last and interesting(fewer):
+            lines = fewer
     return lines
 
 
