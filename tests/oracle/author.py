@@ -315,12 +315,9 @@ class Author(States):
         if len(self.units) > 1:
             self.say("glActiveTexture(GL_TEXTURE0)")
 
-    def move(self) -> None:
-        self.transform()
-
 
 THINGS = (
     Author.primitive, Author.primitive, Author.primitive, Author.plane, Author.sphere, Author.sphere, Author.rectangle,
     Author.arrays, Author.arrays, Author.display_list, Author.display_list, Author.stack, Author.evaluator,
-    Author.pixels, Author.move,
+    Author.pixels, Author.transform,
 )  # fmt: skip

@@ -361,10 +361,10 @@ class States:
 
 EXACT_STATES = (
     States.flat, States.depth, States.stencil, States.scissor, States.mask, States.clip, States.polygons, States.points,
-    States.alpha, States.logic, States.blend, States.move,
+    States.alpha, States.logic, States.blend, States.transform,
 )  # fmt: skip
 STATES = (
     States.lighting, States.lighting, States.lighting, States.texture, States.texture, States.fog, States.sum,
     States.flat, States.blend, States.depth, States.stencil, States.scissor, States.mask, States.clip, States.polygons,
-    States.points, States.move,
+    States.points, States.transform,
 )  # fmt: skip
