@@ -14,9 +14,9 @@ pytest.importorskip("embreex")
 from glsim import radiosity
 from glsim.gl import *
 from glsim.glut import glutSolidCube, glutSolidCylinder, glutSolidSphere, glutSolidTeapot
+from glsim.play.frames import frame_of
 from glsim.radiosity.load import scene_from
 from glsim.radiosity.scene import Scene, box, normal_of
-from glsim.study.frames import frame_of
 
 
 def drawn(draw: Any) -> Scene:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
-from functools import cache, wraps
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -19,7 +19,7 @@ from glsim.gl.arguments import again, numbers, signed_colour
 from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
-from glsim.machine.errors import MISUSE, GLError, is_a_sentence, show
+from glsim.machine.errors import MISUSE, GLError, explained, show
 from glsim.machine.types import SUFFIXES
 
 Function = Callable[..., Any]
@@ -152,7 +152,7 @@ def suffix_free(family: str, functions: dict[str, Function]) -> Function:
         call = _suffix_free_components(family, functions)
     call.__name__ = call.__qualname__ = family
     call.__module__ = "glsim.gl"
-    return call
+    return explained(family, call)
 
 
 def _suffix_free_parameter(family: str, functions: dict[str, Function]) -> Function:
@@ -175,13 +175,10 @@ def _suffix_free_components(family: str, functions: dict[str, Function]) -> Func
 
     def call(*arguments: Any) -> Any:
         rest = arguments[leading:]
-        try:
-            if len(rest) == 1 and not isinstance(rest[0], (int, float)):
-                rest = numbers(rest[0])
-            elif family == "glRect" and len(rest) == 2:
-                rest = (*numbers(rest[0]), *numbers(rest[1]))
-        except TypeError as error:
-            raise TypeError(f"{family}: {error}") from None
+        if len(rest) == 1 and not isinstance(rest[0], (int, float)):
+            rest = numbers(rest[0])
+        elif family == "glRect" and len(rest) == 2:
+            rest = (*numbers(rest[0]), *numbers(rest[1]))
         function = by_count.get(len(rest))
         if function is None:
             counts = " or ".join(map(str, sorted(by_count)))
@@ -217,7 +214,7 @@ def _typed_image(function: Function, gl_type: int, leading: int) -> Function:
         *before, format, pixels = arguments
         size = np.shape(pixels)[:dimensions]
         if len(size) < dimensions:
-            raise ValueError(f"{function.__name__}: an array of {dimensions} or more dimensions is needed")
+            raise ValueError(f"pixels must be an array of {dimensions} or more dimensions, not {show(pixels)}")
         return function(*before[:leading], *size, *before[leading:], format, gl_type, pixels)
 
     return call
@@ -255,20 +252,4 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
             made[f"{name}{suffix}"] = _typed_image(functions[name], gl_type, leading)
     for name, function in made.items():
         function.__name__ = function.__qualname__ = name
-        made[name] = _explained(function)
-    return made
-
-
-def _explained(function: Function) -> Function:
-    """The function with a sentence where NumPy has no use for its array."""
-
-    @wraps(function)
-    def call(*arguments: Any, **named: Any) -> Any:
-        try:
-            return function(*arguments, **named)
-        except MISUSE as error:
-            if is_a_sentence(error) or not arguments:
-                raise
-            raise TypeError(f"{function.__name__}: an array of numbers is needed, not {show(arguments[-1])}") from None
-
-    return call
+    return {name: explained(name, function) for name, function in made.items()}

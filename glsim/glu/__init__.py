@@ -7,6 +7,7 @@ from typing import Any
 from glsim.glu import constants, errors, images, nurbs, quadric, tess, view
 from glsim.glu.errors import GLUError as GLUError
 from glsim.glu.errors import GLUWarning as GLUWarning
+from glsim.machine.errors import explained
 from glsim.names import missing
 
 GLUerror = GLUError  # PyOpenGL's names
@@ -17,7 +18,11 @@ globals().update(constants.NAMES)
 GLU_TESS_MAX_COORD = constants.GLU_TESS_MAX_COORD
 for _topic in (errors, images, nurbs, quadric, tess, view):
     globals().update(
-        {name: value for name, value in vars(_topic).items() if name.startswith("glu") and name[3].isupper()}
+        {
+            name: explained(name, value)
+            for name, value in vars(_topic).items()
+            if name.startswith("glu") and name[3].isupper()
+        }
     )
 
 __all__ = [name for name in globals() if name.startswith("GLU") or (name[:3] == "glu" and name[3:4].isupper())]

@@ -25,7 +25,7 @@ class GLUWarning(UserWarning):
 
 def warn(code: int, sentence: str) -> None:
     """Say what GLU would not: the call has no effect, and the program goes on."""
-    warnings.warn(f"{sentence} ({STRINGS.get(code, code)}); the call has no effect", GLUWarning, stacklevel=4)
+    warnings.warn(f"{sentence} ({STRINGS.get(code, code)}); the call has no effect", GLUWarning, stacklevel=5)
 
 
 def one_of(choices: Iterable[int]) -> str:

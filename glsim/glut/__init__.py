@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from glsim.glut import api, constants, fonts, shapes
+from glsim.machine.errors import explained
 from glsim.names import missing
 
 HAVE_FREEGLUT = True
@@ -16,7 +17,11 @@ fgDeinitialize = None
 globals().update(constants.NAMES)
 for _topic in (api, shapes, fonts):
     globals().update(
-        {n: v for n, v in vars(_topic).items() if n.startswith(("glut", "GLUT_")) and not n.startswith("glut_")}
+        {
+            name: explained(name, value) if name.startswith("glut") else value
+            for name, value in vars(_topic).items()
+            if name.startswith(("glut", "GLUT_")) and not name.startswith("glut_")
+        }
     )
 __all__ = [name for name in globals() if name.startswith(("glut", "GLUT_"))] + ["HAVE_FREEGLUT"]
 

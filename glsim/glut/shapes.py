@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 
 from glsim import gl
 from glsim.machine.assembly import assemble
+from glsim.machine.errors import show
 from glsim.machine.kept import kept
 
 Array = NDArray[np.float32]
@@ -105,9 +106,13 @@ def _length(name: str, argument: str, value: Any) -> float:
     try:
         if isinstance(value, (str, bytes)):
             raise TypeError
-        return float(np.float32(float(value)))
-    except (TypeError, ValueError):
-        raise TypeError(f"{name}: {argument} must be a number, not {value!r}") from None
+        with np.errstate(over="ignore"):
+            number = float(np.float32(float(value)))
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"{name}: {argument} must be a number, not {show(value)}") from None
+    if not math.isfinite(number):
+        raise ValueError(f"{name}: {argument} must be a finite number, not {show(value)}")
+    return number
 
 
 def _whole(name: str, argument: str, value: Any, least: int) -> int:

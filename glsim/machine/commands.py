@@ -341,7 +341,8 @@ def numbers_wanted(command: Command, arguments: Sequence[object], place: int) ->
     if command.size:
         return command.size
     if command.vector and command.parameters[place] == "params":
-        return PARAMETER_SIZES.get(arguments[place - 1], 1)  # type: ignore[call-overload,no-any-return]
+        named = arguments[place - 1]
+        return PARAMETER_SIZES.get(named, 1) if isinstance(named, int) else None
     said = LENGTHS.get(command.parameters[place])
     length = arguments[command.parameters.index(said)] if said in command.parameters else None
     return length if isinstance(length, int) and length >= 0 else None

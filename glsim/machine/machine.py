@@ -210,6 +210,11 @@ class Machine:
         self.texcoord = self.tracks["texcoord0"]
         self.write: Callable[[bytes], int] = _ignore
 
+    def _drop_tracks(self) -> None:
+        """Vertices, and the current values beside the normal and the colour, begin anew."""
+        self.tracks = {name: [(0, value)] for name, value in INITIAL.items()}
+        self._new_stream()
+
     @property
     def current(self) -> dict[str, tuple[float, ...]]:
         """Current values of the attributes in INITIAL."""
@@ -297,8 +302,15 @@ class Machine:
             return
         self.device.check()
         with uninterrupted():
-            vertices = self.take_vertices()
             packets, self.packets, self.waiting = self.packets, [], 0
+            try:
+                vertices = self.take_vertices()
+            except (TypeError, ValueError):
+                self._drop_tracks()
+                raise TypeError(
+                    "a texture coordinate, secondary color, fog coordinate or edge flag was no number;"
+                    " what was drawn with it is lost"
+                ) from None
             for packet in packets:
                 if type(packet) is Draw and packet.vertices is None:
                     packet.vertices = vertices

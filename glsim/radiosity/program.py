@@ -122,8 +122,8 @@ def _materials(draw: Any, vertex: int) -> tuple[Material, Material]:
     lighting = draw.state.lighting
     if not lighting.enabled:
         return (_material(color, (0.0, 0.0, 0.0)),) * 2
-    from glsim.gl.stage import TRACKED
     from glsim.machine.constants import GL_BACK, GL_FRONT
+    from glsim.machine.stage import TRACKED
 
     sides = draw.materials_at(np.array([vertex]))[0]
     found = []
