@@ -83,7 +83,7 @@ def test_smooth_and_gouraud_are_one(monkeypatch: pytest.MonkeyPatch) -> None:
     sheet = glsim.compare("cube", size=32, modes=["smooth"], lobes=["blinn-torrance"])
     assert (sheet.modes, sheet.lobes) == (("gouraud",), ("blinn",))
     plans = []
-    monkeypatch.setattr("glsim.study.run.run", lambda plan, *more, **words: plans.append(plan) or sys.exit(0))
+    monkeypatch.setattr("glsim.play.run.run", lambda plan, *more, **words: plans.append(plan) or sys.exit(0))
     for name in ("smooth", "gouraud"):
         with pytest.raises(SystemExit):
             main(["run", "x.py", "--shade", name])

@@ -15,6 +15,7 @@ from glsim.radiosity.formfactors import compute
 from glsim.radiosity.patches import subdivide
 from glsim.radiosity.scene import Builder, Material, Scene, box, normal_of, quad
 from glsim.radiosity.solvers import solved
+from glsim.radiosity.visibility import Visibility
 
 WALL, LAMP = Material("wall", (0.7,) * 3), Material("lamp", (0.0,) * 3, (10.0,) * 3)
 DARK = Material("dark", (0.3,) * 3)

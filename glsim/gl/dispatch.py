@@ -19,7 +19,8 @@ from glsim.gl.arguments import again, numbers, signed_colour
 from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
-from glsim.machine.errors import MISUSE, GLError, explained, show
+from glsim.machine.errors import GLError, show
+from glsim.machine.sentences import MISUSE, explained
 from glsim.machine.types import SUFFIXES
 
 Function = Callable[..., Any]

@@ -11,7 +11,7 @@ from typing import Any
 
 from glsim.gl.arguments import again
 from glsim.machine.current import attach
-from glsim.machine.errors import MISUSE as BAD
+from glsim.machine.sentences import MISUSE as BAD
 
 row = Struct("10f").pack
 Numbers = Sequence[Any]

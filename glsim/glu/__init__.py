@@ -7,7 +7,7 @@ from typing import Any
 from glsim.glu import constants, errors, images, nurbs, quadric, tess, view
 from glsim.glu.errors import GLUError as GLUError
 from glsim.glu.errors import GLUWarning as GLUWarning
-from glsim.machine.errors import explained
+from glsim.machine.sentences import explained
 from glsim.names import missing
 
 GLUerror = GLUError  # PyOpenGL's names

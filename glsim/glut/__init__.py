@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from glsim.glut import api, constants, fonts, shapes
-from glsim.machine.errors import explained
+from glsim.machine.sentences import explained
 from glsim.names import missing
 
 HAVE_FREEGLUT = True

@@ -12,10 +12,10 @@ import numpy as np
 
 from glsim.machine.commands import COMMANDS, Command, numbers_wanted
 from glsim.machine.constants import Enum
-from glsim.machine.errors import MISUSE, explain
 from glsim.machine.frame import Accum, Call, Clear, Draw, Frame, Moment, Packet, Pixels, Where
 from glsim.machine.machine import Machine
 from glsim.machine.pixels import PixelStore
+from glsim.machine.sentences import MISUSE, explain
 from glsim.machine.types import is_pointer, plain, raw_bytes
 
 # What executes each command; glsim.gl fills this in.

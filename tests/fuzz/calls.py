@@ -21,8 +21,8 @@ from glsim import gl, glu, glut
 from glsim.glut.api import settings
 from glsim.glut.loop import loop
 from glsim.machine.commands import COMMANDS
-from glsim.machine.errors import is_a_sentence
 from glsim.machine.record import moment
+from glsim.machine.sentences import is_a_sentence
 from tests.fuzz.values import data, number, odd_data, odd_number
 
 # Words of NumPy, ctypes, struct, Pillow and Python itself: a sentence that has one is not ours.

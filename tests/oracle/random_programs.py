@@ -10,10 +10,10 @@ import time
 from collections.abc import Callable
 
 import numpy as np
-from glsim.study.capture import capture
 
 import glsim
 from glsim import gl
+from glsim.play.capture import capture
 from glsim.render.native import Native
 from tests.oracle.author import Author
 from tests.oracle.measure import Difference, measure
