@@ -63,6 +63,52 @@ def test_other_modules_and_errors_from_star_imports(tmp_path: Path) -> None:
     assert (tmp_path / "caught").read_text().startswith("caught")
 
 
+def test_glsims_own_star_imports_bind_them_too(tmp_path: Path) -> None:
+    text = """
+    from glsim.gl import *
+    from glsim.glut import *
+    import glsim
+    screen = glsim.offscreen(8, 8)
+    try:
+        glEnable(GL_TRIANGLES)
+    except error.GLError:
+        sys.exit(0)
+    """
+    record = play(tmp_path, text)
+    assert (record["errors"], record["notes"]) == ([], ["the script called sys.exit"])
+
+
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [
+        ("glEnable(GL_LIGHTNING)", "GL_LIGHTING"),
+        ("glVertex3(0, 0, 0)", "glVertex3f"),
+        ("glutSolidTeepot(1)", "glutSolidTeapot"),
+        ("from OpenGL.GL import GL_DEPTH_TESTS", "GL_DEPTH_TEST"),
+    ],
+)
+def test_misspelt_names_get_a_suggestion(
+    line: str, meant: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    record = play(tmp_path, WINDOW + line + "\n")
+    assert f"did you mean '{meant}'?" in record["errors"][0]["error"]
+    assert f"did you mean '{meant}'?" in capfd.readouterr().err
+
+
+def test_typed_images_of_three_dimensions_and_stipples(tmp_path: Path) -> None:
+    text = """
+    import numpy
+    image = numpy.arange(2 * 4 * 8 * 3, dtype="u1").reshape(2, 4, 8, 3)
+    glTexImage3Dub(GL_TEXTURE_3D, 0, GL_RGB, 0, GL_RGB, image)
+    for length, name in ((2, GL_TEXTURE_WIDTH), (4, GL_TEXTURE_HEIGHT), (8, GL_TEXTURE_DEPTH)):
+        assert glGetTexLevelParameteriv(GL_TEXTURE_3D, 0, name) == length
+    glTexSubImage3Df(GL_TEXTURE_3D, 0, 0, 0, 0, GL_RGB, numpy.ones((2, 4, 8, 3), "f"))
+    assert glGetPolygonStippleub().tolist() == [255] * 128
+    glEdgeFlagPointerb(numpy.ones(3, "u1"))
+    """
+    assert play(tmp_path, WINDOW + textwrap.dedent(text))["errors"] == []
+
+
 # ---------------------------------------------------------------- mistakes of syntax
 
 BROKEN = {

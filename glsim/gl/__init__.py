@@ -43,14 +43,13 @@ from glsim.gl import (
 )
 from glsim.gl.dispatch import SUFFIX_FREE, suffix_free, typed_arrays, variant
 from glsim.machine import constants
+from glsim.machine import errors as error  # PyOpenGL's name: error.GLError
 from glsim.machine.commands import COMMANDS
-from glsim.machine.errors import GLError
+from glsim.machine.errors import GLError as GLError
 from glsim.machine.errors import NoContextError as NoContextError
 from glsim.machine.manual import doc
 from glsim.machine.record import implementations
 from glsim.names import missing
-
-error = GLError  # PyOpenGL's other name for it
 
 GLbyte, GLubyte, GLshort, GLushort = ctypes.c_byte, ctypes.c_ubyte, ctypes.c_short, ctypes.c_ushort
 GLint, GLuint, GLfloat, GLdouble = ctypes.c_int, ctypes.c_uint, ctypes.c_float, ctypes.c_double

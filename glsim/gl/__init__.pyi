@@ -9,7 +9,6 @@ from glsim.machine.errors import GLError as GLError
 from glsim.machine.errors import NoContextError as NoContextError
 
 Numbers = float | Sequence[Any] | Any  # a number, a sequence of numbers, a numpy or ctypes array
-error: type[GLError]
 
 __all__ = [
     "GLError",
@@ -927,6 +926,7 @@ __all__ = [
     "glDrawRangeElements",
     "glEdgeFlag",
     "glEdgeFlagPointer",
+    "glEdgeFlagPointerb",
     "glEdgeFlagv",
     "glEnable",
     "glEnableClientState",
@@ -992,6 +992,7 @@ __all__ = [
     "glGetPixelMapusv",
     "glGetPointerv",
     "glGetPolygonStipple",
+    "glGetPolygonStippleub",
     "glGetQueryObjectiv",
     "glGetQueryObjectuiv",
     "glGetQueryiv",
@@ -1326,6 +1327,14 @@ __all__ = [
     "glTexImage2Dui",
     "glTexImage2Dus",
     "glTexImage3D",
+    "glTexImage3Db",
+    "glTexImage3Dd",
+    "glTexImage3Df",
+    "glTexImage3Di",
+    "glTexImage3Ds",
+    "glTexImage3Dub",
+    "glTexImage3Dui",
+    "glTexImage3Dus",
     "glTexParameter",
     "glTexParameterf",
     "glTexParameterfv",
@@ -1350,6 +1359,14 @@ __all__ = [
     "glTexSubImage2Dui",
     "glTexSubImage2Dus",
     "glTexSubImage3D",
+    "glTexSubImage3Db",
+    "glTexSubImage3Dd",
+    "glTexSubImage3Df",
+    "glTexSubImage3Di",
+    "glTexSubImage3Ds",
+    "glTexSubImage3Dub",
+    "glTexSubImage3Dui",
+    "glTexSubImage3Dus",
     "glTranslate",
     "glTranslated",
     "glTranslatef",
@@ -2211,6 +2228,7 @@ GLubyte = ctypes.c_ubyte
 GLuint = ctypes.c_uint
 GLushort = ctypes.c_ushort
 GLvoid: None
+import glsim.machine.errors as error
 
 def glAccum(op: int, value: float) -> None:
     """Computes with the accumulation buffer, which sums pictures for blur and soft edges.
@@ -3071,6 +3089,11 @@ def glEdgeFlagPointer(stride: int, pointer: Numbers) -> None:
     stride: bytes from one element to the next; 0 where they follow each other without a gap
     pointer: the array, or, while a buffer is bound to GL_ARRAY_BUFFER, the offset into that buffer in bytes"""
 
+def glEdgeFlagPointerb(array: Any) -> Any:
+    """Names the array of edge flags, one byte each, used once glEnableClientState(GL_EDGE_FLAG_ARRAY) is called.
+
+    glEdgeFlagPointerb(array), an array of GL_BYTE numbers; size and stride follow from it."""
+
 def glEdgeFlagv(flag: Numbers) -> None:
     """Says whether the edges that begin at the following vertices are outlines: glPolygonMode with GL_LINE or GL_POINT draws only
     those.
@@ -3488,6 +3511,11 @@ def glGetPointerv(pname: int) -> Any:
 
 def glGetPolygonStipple() -> Any:
     """Returns the pattern of glPolygonStipple as 128 bytes."""
+
+def glGetPolygonStippleub() -> Any:
+    """Returns the pattern of glPolygonStipple as 128 bytes.
+
+    glGetPolygonStippleub() returns 128 GL_UNSIGNED_BYTE numbers."""
 
 def glGetQueryObjectiv(id: Any, pname: int, params: Any = ...) -> Any:
     """Returns the count of a query that has ended.
@@ -5911,6 +5939,54 @@ def glTexImage3D(target: int, level: int, internalformat: int, width: int, heigh
     type: of one number: GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_FLOAT or GL_DOUBLE
     pixels: rows of pixels, the bottom row first: an array, bytes, or None; glPixelStorei says how they lie"""
 
+def glTexImage3Db(*arguments: Any) -> Any:
+    """Gives the bound 3D texture its layers of pictures.
+
+    glTexImage3Db(target, level, internalformat, border, format, pixels), an array of GL_BYTE numbers;
+    the size is the array's, width first."""
+
+def glTexImage3Dd(*arguments: Any) -> Any:
+    """Gives the bound 3D texture its layers of pictures.
+
+    glTexImage3Dd(target, level, internalformat, border, format, pixels), an array of GL_DOUBLE numbers;
+    the size is the array's, width first."""
+
+def glTexImage3Df(*arguments: Any) -> Any:
+    """Gives the bound 3D texture its layers of pictures.
+
+    glTexImage3Df(target, level, internalformat, border, format, pixels), an array of GL_FLOAT numbers;
+    the size is the array's, width first."""
+
+def glTexImage3Di(*arguments: Any) -> Any:
+    """Gives the bound 3D texture its layers of pictures.
+
+    glTexImage3Di(target, level, internalformat, border, format, pixels), an array of GL_INT numbers;
+    the size is the array's, width first."""
+
+def glTexImage3Ds(*arguments: Any) -> Any:
+    """Gives the bound 3D texture its layers of pictures.
+
+    glTexImage3Ds(target, level, internalformat, border, format, pixels), an array of GL_SHORT numbers;
+    the size is the array's, width first."""
+
+def glTexImage3Dub(*arguments: Any) -> Any:
+    """Gives the bound 3D texture its layers of pictures.
+
+    glTexImage3Dub(target, level, internalformat, border, format, pixels), an array of GL_UNSIGNED_BYTE numbers;
+    the size is the array's, width first."""
+
+def glTexImage3Dui(*arguments: Any) -> Any:
+    """Gives the bound 3D texture its layers of pictures.
+
+    glTexImage3Dui(target, level, internalformat, border, format, pixels), an array of GL_UNSIGNED_INT numbers;
+    the size is the array's, width first."""
+
+def glTexImage3Dus(*arguments: Any) -> Any:
+    """Gives the bound 3D texture its layers of pictures.
+
+    glTexImage3Dus(target, level, internalformat, border, format, pixels), an array of GL_UNSIGNED_SHORT numbers;
+    the size is the array's, width first."""
+
 def glTexParameter(*arguments: Any) -> Any:
     """Sets how the bound texture is read.
 
@@ -6095,6 +6171,54 @@ def glTexSubImage3D(target: int, level: int, xoffset: int, yoffset: int, zoffset
     format: what the numbers are: GL_RGB, GL_RGBA, GL_LUMINANCE, GL_RED, GL_ALPHA, GL_DEPTH_COMPONENT, GL_STENCIL_INDEX, GL_BGRA, ...
     type: of one number: GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_FLOAT or GL_DOUBLE
     pixels: rows of pixels, the bottom row first: an array, bytes, or None; glPixelStorei says how they lie"""
+
+def glTexSubImage3Db(*arguments: Any) -> Any:
+    """Replaces a part of the bound texture's picture.
+
+    glTexSubImage3Db(target, level, xoffset, yoffset, zoffset, format, pixels), an array of GL_BYTE numbers;
+    the size is the array's, width first."""
+
+def glTexSubImage3Dd(*arguments: Any) -> Any:
+    """Replaces a part of the bound texture's picture.
+
+    glTexSubImage3Dd(target, level, xoffset, yoffset, zoffset, format, pixels), an array of GL_DOUBLE numbers;
+    the size is the array's, width first."""
+
+def glTexSubImage3Df(*arguments: Any) -> Any:
+    """Replaces a part of the bound texture's picture.
+
+    glTexSubImage3Df(target, level, xoffset, yoffset, zoffset, format, pixels), an array of GL_FLOAT numbers;
+    the size is the array's, width first."""
+
+def glTexSubImage3Di(*arguments: Any) -> Any:
+    """Replaces a part of the bound texture's picture.
+
+    glTexSubImage3Di(target, level, xoffset, yoffset, zoffset, format, pixels), an array of GL_INT numbers;
+    the size is the array's, width first."""
+
+def glTexSubImage3Ds(*arguments: Any) -> Any:
+    """Replaces a part of the bound texture's picture.
+
+    glTexSubImage3Ds(target, level, xoffset, yoffset, zoffset, format, pixels), an array of GL_SHORT numbers;
+    the size is the array's, width first."""
+
+def glTexSubImage3Dub(*arguments: Any) -> Any:
+    """Replaces a part of the bound texture's picture.
+
+    glTexSubImage3Dub(target, level, xoffset, yoffset, zoffset, format, pixels), an array of GL_UNSIGNED_BYTE numbers;
+    the size is the array's, width first."""
+
+def glTexSubImage3Dui(*arguments: Any) -> Any:
+    """Replaces a part of the bound texture's picture.
+
+    glTexSubImage3Dui(target, level, xoffset, yoffset, zoffset, format, pixels), an array of GL_UNSIGNED_INT numbers;
+    the size is the array's, width first."""
+
+def glTexSubImage3Dus(*arguments: Any) -> Any:
+    """Replaces a part of the bound texture's picture.
+
+    glTexSubImage3Dus(target, level, xoffset, yoffset, zoffset, format, pixels), an array of GL_UNSIGNED_SHORT numbers;
+    the size is the array's, width first."""
 
 def glTranslate(*arguments: Any) -> Any:
     """Moves what is drawn from now on.

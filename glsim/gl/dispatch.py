@@ -209,7 +209,7 @@ def _typed_last(function: Function, gl_type: int, leading: int) -> Function:
 def _typed_image(function: Function, gl_type: int, leading: int) -> Function:
     """glTexImage2Df(target, level, internalformat, border, format, pixels), glDrawPixelsub(format, pixels): the size is
     that of the array, width first, as PyOpenGL has it."""
-    dimensions = 1 if "1D" in function.__name__ else 2
+    dimensions = next((n for n in (1, 2, 3) if f"{n}D" in function.__name__), 2)
 
     def call(*arguments: Any) -> Any:
         *before, format, pixels = arguments
@@ -248,9 +248,11 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
         made[f"glReadPixels{suffix}"] = _typed_last(functions["glReadPixels"], gl_type, 5)
         made[f"glGetTexImage{suffix}"] = _typed_last(functions["glGetTexImage"], gl_type, 3)
     for suffix, gl_type in SUFFIXES.items():
-        for name, leading in (("glTexImage1D", 3), ("glTexImage2D", 3), ("glTexSubImage1D", 3), ("glTexSubImage2D", 4),
-                              ("glDrawPixels", 0)):  # fmt: skip
+        for name, leading in (("glTexImage1D", 3), ("glTexImage2D", 3), ("glTexImage3D", 3), ("glTexSubImage1D", 3),
+                              ("glTexSubImage2D", 4), ("glTexSubImage3D", 5), ("glDrawPixels", 0)):  # fmt: skip
             made[f"{name}{suffix}"] = _typed_image(functions[name], gl_type, leading)
+    made["glEdgeFlagPointerb"] = lambda array: functions["glEdgeFlagPointer"](0, array)
+    made["glGetPolygonStippleub"] = lambda: np.frombuffer(functions["glGetPolygonStipple"](), np.uint8)
     for name, function in made.items():
         function.__name__ = function.__qualname__ = name
     return {name: explained(name, function) for name, function in made.items()}

@@ -6,6 +6,11 @@ Windows are pictures: ``glsim run`` takes them after each step of a main loop wh
 
 from __future__ import annotations
 
+import ctypes
+import logging
+import os
+import sys
+import traceback
 from typing import Any
 
 from glsim.glut import api, constants, fonts, shapes
@@ -24,6 +29,13 @@ for _topic in (api, shapes, fonts):
         }
     )
 __all__ = [name for name in globals() if name.startswith(("glut", "GLUT_"))] + ["HAVE_FREEGLUT"]
+__all__ += [
+    "ctypes",
+    "logging",
+    "os",
+    "sys",
+    "traceback",
+]  # PyOpenGL's star import binds them, and programs call sys.exit
 
 
 def __getattr__(name: str) -> Any:

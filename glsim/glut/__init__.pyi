@@ -347,6 +347,7 @@ __all__ = [
     "GLUT_WINDOW_Y",
     "GLUT_XLIB_IMPLEMENTATION",
     "HAVE_FREEGLUT",
+    "ctypes",
     "glutAddMenuEntry",
     "glutAddSubMenu",
     "glutAppStatusFunc",
@@ -506,6 +507,10 @@ __all__ = [
     "glutWireTeaspoon",
     "glutWireTetrahedron",
     "glutWireTorus",
+    "logging",
+    "os",
+    "sys",
+    "traceback",
 ]
 
 GLUT_3_2_CORE_PROFILE: Enum
@@ -720,6 +725,11 @@ GLUT_WINDOW_X: Enum
 GLUT_WINDOW_Y: Enum
 GLUT_XLIB_IMPLEMENTATION: Enum
 HAVE_FREEGLUT: bool
+import ctypes as ctypes
+import logging as logging
+import os as os
+import sys as sys
+import traceback as traceback
 
 def glutAppStatusFunc(callback: Callable[..., Any] | None = None, *ignored: Any) -> None:
     """Accepted without effect: there are no such events."""

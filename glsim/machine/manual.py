@@ -30,6 +30,9 @@ TYPED = {  # PyOpenGL's commands for arrays of one type: how they are called, an
     "TexSubImage1D": "(target, level, xoffset, format, pixels), an array of {type} numbers; the size is the array's.",
     "TexSubImage2D": "(target, level, xoffset, yoffset, format, pixels), an array of {type} numbers;\nthe size is the"
     " array's, width first.",
+    "TexSubImage3D": "(target, level, xoffset, yoffset, zoffset, format, pixels), an array of {type} numbers;\nthe size"
+    " is the array's, width first.",
+    "PolygonStipple": "() returns 128 {type} numbers.",
 }
 WORDS = {"b": "GL_BYTE", "ub": "GL_UNSIGNED_BYTE", "s": "GL_SHORT", "us": "GL_UNSIGNED_SHORT", "i": "GL_INT",
          "ui": "GL_UNSIGNED_INT", "f": "GL_FLOAT", "d": "GL_DOUBLE"}  # fmt: skip

@@ -24,14 +24,13 @@ from glsim.machine.errors import GLError as GLError
 from glsim.machine.errors import NoContextError as NoContextError
 
 Numbers = float | Sequence[Any] | Any  # a number, a sequence of numbers, a numpy or ctypes array
-error: type[GLError]
 '''
 
 
 def gl_stubs() -> str:
     """glsim/gl/__init__.pyi: the signature and manual of every command, the type of every constant."""
     values = _public("glsim.gl")
-    declared = [_declaration(name, value) for name, value in values.items() if name not in ("GLError", "error")]
+    declared = [_declaration(name, value) for name, value in values.items() if name != "GLError"]
     functions = [_function(name, value) for name, value in values.items() if inspect.isfunction(value)]
     return "\n".join([GL, _all(values), *filter(None, declared), "", *functions]) + "\n"
 

@@ -26,6 +26,7 @@ from glsim.glut.window import Window, flushed, picture_of
 from glsim.machine import archive
 from glsim.machine.frame import Frame
 from glsim.machine.record import Recorder
+from glsim.names import hint_for
 from glsim.play import pyopengl, toolkits
 from glsim.play.imports import OwnImports, repeatable_chance, steady_time
 from glsim.play.plan import MADE_BY, Plan, Record
@@ -146,11 +147,14 @@ class Player:
 
     def _failed(self, where: str, error: Exception) -> None:
         """An exception of the script, shown as the script's own, with its line."""
+        hint = hint_for(error)
         frames = [f for f in traceback.extract_tb(error.__traceback__) if not _is_ours(f.filename)]
         print("".join(["Traceback (most recent call last):\n", *traceback.format_list(frames),
                        *traceback.format_exception_only(error)]), file=sys.stderr, end="")  # fmt: skip
+        if hint:
+            print(f"glsim run: {hint.removeprefix('; ')}", file=sys.stderr)
         line = next((f.lineno for f in reversed(frames) if f.filename == self.script), getattr(error, "lineno", None))
-        sentence = "; ".join([f"{type(error).__name__}: {error}", *getattr(error, "__notes__", [])])
+        sentence = "; ".join([f"{type(error).__name__}: {error}{hint}", *getattr(error, "__notes__", [])])
         kind = "gl-error" if any(c.__name__ == "GLError" for c in type(error).__mro__) else "python-error"
         self.record.errors.append({"kind": kind, "where": where, "line": line, "error": sentence[:400]})
         if len(self.record.errors) >= MOST_ERRORS:

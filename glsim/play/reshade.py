@@ -16,6 +16,7 @@ from glsim.machine.constants import (
     GL_STENCIL_BUFFER_BIT,
 )
 from glsim.machine.frame import Accum, Clear, Draw, Frame, Packet, QueryMark, Vertices
+from glsim.names import SHADING
 
 SHADE_MODEL = {"flat": GL_FLAT, "gouraud": GL_SMOOTH, "phong": GL_PHONG_WIN}
 LOBE = {"blinn": GL_BLINN_TORRANCE_GLSIM, "phong": GL_PHONG_LOBE_GLSIM}
@@ -31,8 +32,7 @@ def reshaded(shade: str | None, lobe: str | None) -> Callable[[Draw], Draw] | No
         if shade is None:
             lighting = draw.state.lighting._replace(lobe=LOBE[lobe or "blinn"])
             return draw.with_state(draw.state._replace(lighting=lighting))
-        mode = "gouraud" if shade == "smooth" else shade
-        return next(shaded(Frame(0, 0, [draw]), mode, lobe or "blinn").draws)
+        return next(shaded(Frame(0, 0, [draw]), SHADING.get(shade, shade), lobe or "blinn").draws)
 
     return change
 
