@@ -1,4 +1,4 @@
-// glClipPlane: what has a negative distance from an enabled plane is cut off
+// glClipPlane: what has a negative distance from an enabled plane is cut off; of wide lines line.glsl cuts it
 
 #if CLIPPING
 out float gl_ClipDistance[6];
@@ -6,6 +6,6 @@ out float gl_ClipDistance[6];
 void clip(vec4 P)   // P: in eye space
 {
     for (int i = 0; i < 6; i++)
-        gl_ClipDistance[i] = CLIP_PLANE[i] ? dot(clip_planes[i], P) : 1.0;
+        gl_ClipDistance[i] = CLIP_PLANE[i] && !WIDE_LINES ? dot(clip_planes[i], P) : 1.0;
 }
 #endif

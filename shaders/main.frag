@@ -23,9 +23,8 @@ in vec4 vertex_color;
 in vec4 texture_coordinates[4];
 #endif
 in float fog_distance;
-noperspective in float along_line;
-noperspective in vec2 line_place;
-flat in vec2 line_half_size;
+flat in vec4 line_ends;
+flat in float line_pixels;
 flat in float point_diameter;
 flat in uint object_row;
 
@@ -35,7 +34,8 @@ layout(location = 0) out vec4 fragment_color;
 
 void main()
 {
-    if (LINE_STIPPLE && !line_pattern(along_line)) discard;
+    if (WIDE_LINES && !SMOOTH_LINES && beyond_ends(line_ends, gl_FragCoord.xy)) discard;
+    if (LINE_STIPPLE && !SMOOTH_LINES && !line_pattern(line_pixels + line_fragment(line_ends, gl_FragCoord.xy))) discard;
     if (POLYGON_STIPPLE && !polygon_pattern(gl_FragCoord.xy)) discard;
 
     bool back = TWO_SIDE && AREAS && !gl_FrontFacing;
@@ -63,7 +63,7 @@ void main()
     if (FOG != FOG_OFF) color.rgb = mix(fog_color.rgb, color.rgb, fog_factor(fog_distance));
     float covered = 1.0;
     if (SMOOTH_LINES || POINT_SMOOTH) {
-        covered = SMOOTH_LINES ? line_coverage(line_place, line_half_size) : point_coverage(point_diameter);
+        covered = SMOOTH_LINES ? line_coverage(line_ends, gl_FragCoord.xy, line_pixels) : point_coverage(point_diameter);
         if (covered == 0.0) discard;
         color.a *= covered;
     }

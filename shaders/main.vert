@@ -22,10 +22,11 @@ in vec4 texcoord1;
 in vec4 texcoord2;
 in vec4 texcoord3;
 in float depth_offset;      // only if DEPTH_OFFSET: in window coordinates
+in vec4 lit_position;       // only if LIT_ELSEWHERE: where the equation is evaluated, in object space
 in uint object;             // only if MANY_OBJECTS: the row of transforms and materials that this vertex uses
-in vec4 other_end;          // only if WIDE_LINES: the line's other end, in object space
-in float line_side;         // only if WIDE_LINES: -1 or 1
-in float line_start;        // only if LINE_STIPPLE: pixels from the beginning of the pattern
+in vec4 other_end;          // only if WIDE_LINES or LINE_STIPPLE: the line's other end, in object space
+in vec2 line_corner;        // only then: -1 at the line's first end, 1 at the second; the same for both sides
+in float line_begin;        // only if LINE_STIPPLE: pixels of the pattern before the line
 
 SHADED out vec4 front_color;        // SHADED is flat or smooth: glShadeModel
 SHADED out vec3 front_highlight;
@@ -39,20 +40,29 @@ out vec4 vertex_color;
 out vec4 texture_coordinates[4];
 #endif
 out float fog_distance;             // only with fog
-noperspective out float along_line; // only if LINE_STIPPLE
-noperspective out vec2 line_place;  // only if SMOOTH_LINES: pixels from the middle along and across
-flat out vec2 line_half_size;
+flat out vec4 line_ends;            // only if WIDE_LINES or LINE_STIPPLE: in pixels, of what clipping leaves of the line
+flat out float line_pixels;         // only if LINE_STIPPLE: pixels of the pattern before the line
 flat out float point_diameter;      // only if POINT_SMOOTH
 flat out uint object_row;
+
+const vec4 OUTSIDE = vec4(2.0, 2.0, 2.0, 1.0);    // of the clip volume: nothing is drawn
 
 vec4 project(Transform transform, vec4 P)
 {
     vec4 Q = transform.modelview_projection * P;
-    if (SMOOTH_LINES)
-        Q = widen_smoothly(Q, transform.modelview_projection * other_end, line_side, line_place, line_half_size);
-    else if (WIDE_LINES) Q = widen(Q, transform.modelview_projection * other_end, line_side);
+    if (WIDE_LINES || LINE_STIPPLE) {
+        bool is_first = line_corner.x < 0.0;
+        vec4 A = is_first ? P : other_end, B = is_first ? other_end : P;
+        mat4 to_clip = transform.modelview_projection, to_eye = transform.modelview;
+        if (!visible(to_clip * A, to_clip * B, to_eye * A, to_eye * B, line_ends)) return OUTSIDE;
+        if (WIDE_LINES) Q = widen(Q, line_ends, line_corner);
+    }
     if (DEPTH_OFFSET) Q.z += 2.0 * depth_offset * Q.w;
-    if (POINTS && !POINT_SMOOTH) Q.xy += vec2(2.002, 1.998) / 256.0 / viewport.zw * Q.w; // between two pixels: up and to the right
+    if (POINTS) {
+        if (any(greaterThan(abs(Q.xy), vec2(Q.w)))) return OUTSIDE;     // its middle is clipped
+        if (!POINT_SMOOTH) Q.xy += vec2(2.002, 1.998) / 256.0 / viewport.zw * Q.w;      // between two pixels: up and to the right
+    }
+    if (POINTS || WIDE_LINES) Q.xy *= viewport.zw / (viewport.zw + 2.0 * line.w);       // the driver's viewport has a margin
     return Q;
 }
 
@@ -76,7 +86,7 @@ void main()
     vec4 own_color = OBJECT_COLOR ? material.color : color;
     front_color = back_color = vertex_color = clamp(own_color, 0.0, 1.0);
     front_highlight = back_highlight = COLOR_SUM ? clamp(secondary_color.rgb, 0.0, 1.0) : vec3(0.0);
-    if (LINE_STIPPLE) along_line = line_start;
+    if (LINE_STIPPLE) line_pixels = line_begin;
 
 #if CLIPPING
     clip(E);
@@ -106,6 +116,7 @@ void main()
 #endif
     if (!LIGHTING) return;
 
+    if (LIT_ELSEWHERE) E = transform.modelview * lit_position;
     eye_position = E.xyz / E.w;
     eye_normal = N;
     vertex_color = own_color;

@@ -1,11 +1,4 @@
-// Reasons to discard a fragment: stipple patterns and the alpha test.
-
-// glLineStipple: bit 0 of the pattern comes first, each bit for `factor` pixels
-bool line_pattern(float pixels)
-{
-    int bit = int(floor(pixels / line.y)) & 15;
-    return ((uint(line.z) >> bit) & 1u) == 1u;
-}
+// Reasons to discard a fragment: the stipple pattern of polygons and the alpha test.
 
 // glPolygonStipple: 32 x 32 pixels, repeated over the window; the leftmost is the highest bit
 bool polygon_pattern(vec2 pixel)

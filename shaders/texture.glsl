@@ -21,10 +21,12 @@ uniform SAMPLER_3 texture3;
 vec4 texels[4];         // what each unit reads
 vec4 primary_color;     // the fragment's colour before texturing
 
-// GL_CLAMP keeps the coordinate in [0, 1], so that half of the border shows
+// GL_CLAMP keeps the coordinate in [0, 1], so that at the edge half of the border is seen by GL_LINEAR, and nothing
+// of it by GL_NEAREST: s = 1 is the last texel (section 3.8.8), so the largest number below 1 stands for it
+// (the level of a mipmap follows from the coordinate as it was: hence textureGrad)
 float wrapped(float s, int unit, int axis)
 {
-    return CLAMP[3 * unit + axis] ? clamp(s, 0.0, 1.0) : s;
+    return CLAMP[3 * unit + axis] ? clamp(s, 0.0, 0.99999994) : s;
 }
 
 // A depth is shown as GL_DEPTH_TEXTURE_MODE says
@@ -37,9 +39,9 @@ vec4 as_depth(float depth, int unit)
 vec4 texel(sampler2D image, int unit, vec4 coordinates)
 {
     vec2 st = coordinates.st / coordinates.q;
-    st.s = wrapped(st.s, unit, 0);
-    st.t = TEXTURE_IS_1D[unit] ? 0.5 : wrapped(st.t, unit, 1);
-    vec4 T = texture(image, st);
+    if (TEXTURE_IS_1D[unit]) st.t = 0.5;
+    vec2 clamped = vec2(wrapped(st.s, unit, 0), wrapped(st.t, unit, 1));
+    vec4 T = CLAMPS[unit] ? textureGrad(image, clamped, dFdx(st), dFdy(st)) : texture(image, st);
     return TEXTURE_IS_DEPTH[unit] ? as_depth(T.r, unit) : T;
 }
 
@@ -47,17 +49,17 @@ vec4 texel(sampler2D image, int unit, vec4 coordinates)
 vec4 texel(sampler2DShadow image, int unit, vec4 coordinates)
 {
     vec3 str = coordinates.stp / coordinates.q;
-    str.s = wrapped(str.s, unit, 0);
-    str.t = TEXTURE_IS_1D[unit] ? 0.5 : wrapped(str.t, unit, 1);
-    str.p = clamp(str.p, 0.0, 1.0);
-    return as_depth(texture(image, str), unit);
+    if (TEXTURE_IS_1D[unit]) str.t = 0.5;
+    vec3 clamped = vec3(wrapped(str.s, unit, 0), wrapped(str.t, unit, 1), clamp(str.p, 0.0, 1.0));
+    float passed = CLAMPS[unit] ? textureGrad(image, clamped, dFdx(str.st), dFdy(str.st)) : texture(image, clamped);
+    return as_depth(passed, unit);
 }
 
 vec4 texel(sampler3D image, int unit, vec4 coordinates)
 {
     vec3 str = coordinates.stp / coordinates.q;
-    for (int axis = 0; axis < 3; axis++) str[axis] = wrapped(str[axis], unit, axis);
-    return texture(image, str);
+    vec3 clamped = vec3(wrapped(str.s, unit, 0), wrapped(str.t, unit, 1), wrapped(str.p, unit, 2));
+    return CLAMPS[unit] ? textureGrad(image, clamped, dFdx(str), dFdy(str)) : texture(image, str);
 }
 
 vec4 texel(samplerCube image, int unit, vec4 coordinates)

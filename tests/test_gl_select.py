@@ -13,8 +13,8 @@ import glsim
 from glsim.gl import *
 from glsim.gl import GLError
 from glsim.machine.commands import COMMANDS
+from glsim.play.capture import capture
 from glsim.render.native import Native, pass_on
-from glsim.study.capture import capture
 from tests.oracle.programs import SHINY, ball, camera, lamp, material
 
 
@@ -234,6 +234,28 @@ def test_a_clipped_quad_is_one_polygon(screen: glsim.Offscreen) -> None:
     [(token, *vertices)] = glRenderMode(GL_RENDER)
     assert token == GL_POLYGON_TOKEN
     assert sorted(tuple(vertex.vertex) for vertex in vertices) == [(64, 64), (64, 96), (128, 64), (128, 96)]
+
+
+def test_feedback_of_outlines_has_the_boundary_edges(screen: glsim.Offscreen) -> None:
+    """Those of glEdgeFlag and those that glClipPlane makes; not what the view volume makes."""
+    glFeedbackBuffer(256, GL_2D)
+    glRenderMode(GL_FEEDBACK)
+    glClipPlane(GL_CLIP_PLANE0, [-1, 0, 0, 0.5])
+    glEnable(GL_CLIP_PLANE0)
+    for mode in (GL_LINE, GL_POINT):
+        glPolygonMode(GL_FRONT_AND_BACK, mode)
+        glBegin(GL_QUADS)
+        for flag, x, y in ((False, 0, 0), (True, 2, 0), (True, 2, 2), (True, 0, 2)):
+            glEdgeFlag(flag)
+            glVertex2f(x, y)
+        glEnd()
+    found = [(record[0], [tuple(v.vertex) for v in record[1:]]) for record in glRenderMode(GL_RENDER)]
+    assert found == [
+        (GL_LINE_RESET_TOKEN, [(96, 64), (96, 128)]),
+        (GL_LINE_TOKEN, [(64, 128), (64, 64)]),
+        (GL_POINT_TOKEN, [(96, 64)]),
+        (GL_POINT_TOKEN, [(64, 128)]),
+    ]
 
 
 def test_feedback_of_polygon_mode_and_pixels(screen: glsim.Offscreen) -> None:

@@ -201,6 +201,18 @@ def test_extensions_are_queryable(screen: glsim.Offscreen) -> None:
     assert b"GL_WIN_phong_shading" in glGetString(GL_EXTENSIONS).split()
 
 
+def test_a_program_of_later_versions_learns_where_it_is(screen: glsim.Offscreen) -> None:
+    version = f"{glGetIntegerv(GL_MAJOR_VERSION)}.{glGetIntegerv(GL_MINOR_VERSION)}".encode()
+    assert glGetString(GL_VERSION).split()[0] == version == b"1.5"
+    names = [glGetStringi(GL_EXTENSIONS, k) for k in range(glGetIntegerv(GL_NUM_EXTENSIONS))]
+    assert b" ".join(names) == glGetString(GL_EXTENSIONS)
+    with pytest.raises(GLError, match="glGetStringi: index must be from 0 to"):
+        glGetStringi(GL_EXTENSIONS, len(names))
+    language = glGetString(GL_SHADING_LANGUAGE_VERSION).decode()
+    assert float(language.split()[0]) < 1.1
+    assert "no shaders" in language
+
+
 # ---------------------------------------------------------------- queries as PyOpenGL 3.1.10 answers them
 
 
@@ -303,6 +315,7 @@ def test_depth_is_read_back(screen: glsim.Offscreen) -> None:
 
 # Limits and buffers that are another implementation's business, and what the oracle itself has pushed.
 OWN = """
+GL_MAJOR_VERSION GL_MINOR_VERSION GL_NUM_EXTENSIONS
 GL_ACCUM_RED_BITS GL_ACCUM_GREEN_BITS GL_ACCUM_BLUE_BITS GL_ACCUM_ALPHA_BITS GL_ATTRIB_STACK_DEPTH GL_DRAW_BUFFER
 GL_READ_BUFFER GL_MAX_CLIP_PLANES GL_MAX_MODELVIEW_STACK_DEPTH GL_MAX_TEXTURE_SIZE GL_MAX_TEXTURE_STACK_DEPTH
 GL_PACK_ALIGNMENT GL_STENCIL_VALUE_MASK GL_STENCIL_WRITEMASK GL_CLIENT_ATTRIB_STACK_DEPTH GL_MAX_3D_TEXTURE_SIZE

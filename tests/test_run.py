@@ -18,9 +18,9 @@ import pytest
 from PIL import Image
 
 from glsim.cli import main
-from glsim.study.play import Plan
-from glsim.study.python2 import converted, is_python_3
-from glsim.study.run import events_from, run
+from glsim.play.plan import Plan
+from glsim.play.python2 import converted, is_python_3
+from glsim.play.run import events_from, run
 
 ROOT = Path(__file__).parents[1]
 WINDOW = """
@@ -426,6 +426,43 @@ def test_python_2_programs_keep_their_keys_their_division_and_their_modules(tmp_
     assert (tmp_path / "log.txt").read_text().splitlines() == ["3 3.5 -4 1 a b (2, 2)", "4", "True True"]
 
 
+def test_modules_of_python_2_beside_a_program_of_python_3_are_converted(tmp_path: Path) -> None:
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "__init__.py").write_text("")
+    (tmp_path / "parts" / "deep.py").write_text("import string\nprint 'deep'\nletters = string.join(['a', 'b'], '')\n")
+    (tmp_path / "helper.py").write_text("print 'helper'\nhalf = 3 / 2\n")
+    new = "import helper\nfrom parts import deep\nprint(helper.half, 3 / 2, deep.letters, file=open('log.txt', 'w'))\n"
+    new += "glutDisplayFunc(lambda: None)\nglutMainLoop()\n"
+    record = play(tmp_path, program(tmp_path, new))
+    assert record["status"] == "ok", record
+    assert (tmp_path / "log.txt").read_text() == "1 1.5 ab\n"
+    assert play(tmp_path, program(tmp_path, new), python2=False)["status"] == "python-error"
+
+
+def test_arrays_of_characters_are_pixels(tmp_path: Path) -> None:
+    """Python 2's array("c"), filled by chr and drawn."""
+    old = textwrap.dedent("""
+        from array import array
+        print 'old'
+        pixels = array("c", "\\0" * 12)
+        for k in range(4):
+            pixels[3 * k] = chr(255)
+        pixels[4:6] = array('c', 'ab')
+        pixels.append('z')
+        print pixels[1] == '\\0', len(pixels), pixels.tostring()[4:6], pixels[4:6] == array('c', 'ab')
+        def display():
+            glPixelStorei(GL_UNPACK_ALIGNMENT, 1)
+            glDrawPixels(2, 2, GL_RGB, GL_UNSIGNED_BYTE, pixels)
+            glutSwapBuffers()
+        glutDisplayFunc(display)
+        glutMainLoop()
+        """)
+    record = play(tmp_path, program(tmp_path, old))
+    assert record["status"] == "ok", record
+    lit = picture(tmp_path)[..., 0].nonzero()
+    assert len(lit[0]) == 4
+
+
 def test_a_display_function_that_never_returns_leaves_its_picture(tmp_path: Path) -> None:
     text = "import time\nreal = time.sleep\ndef display():\n    while True:\n        glClear(GL_COLOR_BUFFER_BIT)\n"
     text += "        glutSwapBuffers()\nglutDisplayFunc(display)\nglutMainLoop()\n"
@@ -449,4 +486,4 @@ def test_later_versions_can_be_asked_for(tmp_path: Path) -> None:
         """,
     )
     record = play(tmp_path, script)
-    assert record["errors"][0]["error"].startswith("RuntimeError: glCreateShader is OpenGL 2 or later")
+    assert record["errors"][0]["error"].startswith("RuntimeError: glCreateShader came with OpenGL 2.0")

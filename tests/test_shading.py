@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 import glsim
 from glsim import shading
 from glsim.gl import *
-from glsim.gl.stage import vertex_stage
+from glsim.machine.stage import vertex_stage
 from glsim.machine.state import Light
+from glsim.play.capture import capture
 from glsim.render.native import Native
-from glsim.study.capture import capture
 
 SEEDS = st.integers(0, 2**32 - 1)
 Z = np.array([0.0, 0.0, 1.0])

@@ -18,6 +18,7 @@ Extensions (glGetString(GL_EXTENSIONS) names them):
 from __future__ import annotations
 
 import ctypes
+import inspect
 from typing import Any
 
 from glsim.gl import (
@@ -45,6 +46,7 @@ from glsim.machine import constants
 from glsim.machine.commands import COMMANDS
 from glsim.machine.errors import GLError
 from glsim.machine.errors import NoContextError as NoContextError
+from glsim.machine.manual import doc
 from glsim.machine.record import implementations
 
 error = GLError  # PyOpenGL's other name for it
@@ -75,6 +77,9 @@ def _functions() -> dict[str, Any]:
     for command in COMMANDS.values():
         hot = getattr(immediate, command.name, None)
         if hot is not None:
+            signature = inspect.signature(hot)
+            *parameters, _surplus = signature.parameters.values()
+            hot.__signature__ = signature.replace(parameters=parameters)
             functions[command.name] = hot
             continue
         body = _BODIES.get(command.name) or _BODIES[command.family]
@@ -84,6 +89,9 @@ def _functions() -> dict[str, Any]:
     functions.update(typed_arrays(functions))
     for kind in ("Boolean", "Integer", "Float", "Double"):
         functions[f"glGet{kind}"] = functions[f"glGet{kind}v"]
+    for function in functions.values():
+        named = [word for word, p in inspect.signature(function).parameters.items() if p.kind is not p.VAR_POSITIONAL]
+        function.__doc__ = doc(function.__name__, tuple(named))
     return functions
 
 

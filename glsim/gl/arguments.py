@@ -2,10 +2,46 @@
 
 from __future__ import annotations
 
+from struct import error as StructError  # noqa: N812
+from struct import pack
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from glsim.machine.commands import COMMANDS
+from glsim.machine.current import current_machine
+from glsim.machine.errors import MISUSE, explain, show
+from glsim.machine.record import implementations, python_arguments
+from glsim.machine.types import plain, raw_bytes
+
+REGISTERS = ("nx", "ny", "nz", "red", "green", "blue", "alpha")
+
+
+def again(error: Exception, name: str, arguments: tuple[Any, ...]) -> Any:
+    """A command failed: run it once more with Python's numbers instead of ctypes', or raise a sentence.
+
+    So c_float, byref and pointers may stand wherever numbers and arrays do, and nobody who passes Python's numbers
+    pays for it.
+    """
+    machine, given = current_machine(), python_arguments(COMMANDS[name], arguments)
+    current = [getattr(machine, register) for register in REGISTERS]
+    known = list(map(plain, current))
+    if all(now is before for now, before in zip((*given, *known), (*arguments, *current), strict=True)):
+        raise (_current_complaint(error, name, current) or explain(error, name, arguments)) from None
+    for register, value in zip(REGISTERS, known, strict=True):
+        setattr(machine, register, value)
+    return implementations[name](*given)
+
+
+def _current_complaint(error: Exception, name: str, current: list[Any]) -> TypeError | None:
+    """The sentence if it was the current normal or colour that could not be packed beside a vertex."""
+    for what, values in (("normal", current[:3]), ("color", current[3:])) if isinstance(error, StructError) else ():
+        try:
+            pack(f"{len(values)}f", *values)
+        except MISUSE:
+            return TypeError(f"{name}: the current {what} (gl{what.title()}) is not made of numbers: {values!r}")
+    return None
 
 
 def numbers(values: Any) -> tuple[float, ...]:
@@ -14,13 +50,16 @@ def numbers(values: Any) -> tuple[float, ...]:
     if kind is list or kind is tuple:
         try:
             return tuple(map(float, values))
-        except TypeError:
+        except (TypeError, ValueError):
             pass
     elif kind is float or kind is int:
         return (float(values),)
-    if isinstance(values, (str, bytes)) or values is None:
-        raise TypeError(f"a number or a sequence of numbers is needed, not {values!r}")
-    return tuple(np.asarray(values, np.float64).ravel().tolist())
+    try:
+        if not isinstance(values, (str, bytes)) and values is not None:
+            return tuple(np.asarray(values, np.float64).ravel().tolist())
+    except (TypeError, ValueError):
+        pass
+    raise TypeError(f"a number or a sequence of numbers is needed, not {show(values)}")
 
 
 def exactly(values: Any, count: int, what: str) -> tuple[float, ...]:
@@ -33,7 +72,10 @@ def exactly(values: Any, count: int, what: str) -> tuple[float, ...]:
 
 def matrix16(values: Any) -> NDArray[np.float32]:
     """Sixteen numbers in any shape -> (4, 4) float32, column first as OpenGL stores matrices."""
-    array = np.asarray(values, np.float32)
+    try:
+        array = np.asarray(values, np.float32)
+    except (TypeError, ValueError):
+        raise TypeError(f"a matrix has 16 numbers; {show(values)} is no array of numbers") from None
     if array.size != 16:
         raise ValueError(f"a matrix has 16 numbers, not {array.size}")
     return array.reshape(4, 4).copy()
@@ -52,13 +94,15 @@ def signed_colour(value: float) -> float:
 def array_from(data: Any, dtype: type, what: str) -> NDArray[Any]:
     """The memory a program points to, as a flat array of ``dtype``."""
     if data is None:
-        raise ValueError(f"{what} is None: pass an array (buffer objects come with a later version)")
-    if isinstance(data, (bytes, bytearray, memoryview)):
-        return np.frombuffer(data, np.uint8)
+        raise ValueError(f"{what} is None: pass an array, or bind a buffer object first")
+    memory = raw_bytes(data)
+    if memory is not None:
+        return memory
     if isinstance(data, np.ndarray) and data.dtype.kind in "biuf":
         flat = np.ascontiguousarray(data)
         return (flat if flat.dtype == dtype else flat.astype(dtype)).ravel()
     try:
         return np.asarray(data, dtype).ravel()
-    except (TypeError, ValueError) as error:
-        raise TypeError(f"{what} must be an array or a sequence of numbers: {error}") from None
+    except (TypeError, ValueError, OverflowError):
+        word = np.dtype(dtype).name
+        raise TypeError(f"{what} must be an array or a sequence of {word} numbers, not {show(data)}") from None

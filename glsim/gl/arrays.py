@@ -74,6 +74,7 @@ POINTER_TYPES: dict[int, tuple[Enum, ...]] = {
     GL_NORMAL_ARRAY: (GL_BYTE, *SIGNED),
     GL_TEXTURE_COORD_ARRAY: SIGNED,
     GL_FOG_COORDINATE_ARRAY: (GL_FLOAT, GL_DOUBLE),
+    GL_INDEX_ARRAY: (GL_UNSIGNED_BYTE, *SIGNED),
 }
 
 
@@ -184,6 +185,8 @@ def glInterleavedArrays(m: Machine, format: int, stride: int, pointer: Any) -> N
     layout = FORMATS.get(format)
     if layout is None:
         raise invalid_enum("format", format, "an interleaved format such as GL_N3F_V3F")
+    if stride < 0:
+        raise invalid_value("stride", stride, "at least 0")
     texture, color, color_type, normal, vertex = layout
     data = None if m.array_buffer else array_from(pointer, np.float32, "pointer").view(np.uint8)
     start, offset = offset_from(pointer) if m.array_buffer else 0, 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from array import array as pyarray
 from typing import Any
 
 import numpy as np
@@ -38,6 +39,7 @@ from glsim.machine.constants import (
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Query, QueryMark, Vertices
 from glsim.machine.machine import Machine
+from glsim.machine.types import fill, is_pointer, plain, raw_bytes
 
 LARGEST_BUFFER = 1 << 31
 USAGES = (
@@ -98,18 +100,20 @@ def glDeleteBuffers(m: Machine, n: Any, buffers: Any = None) -> None:
 
 
 def glIsBuffer(m: Machine, buffer: int) -> int:
-    return int(m.buffers.get(buffer) is not None)
+    return int(m.buffers.get(int(buffer)) is not None)
 
 
-def _bytes(data: Any) -> NDArray[np.uint8]:
-    if isinstance(data, (bytes, bytearray, memoryview)):
-        return np.frombuffer(data, np.uint8)
-    if isinstance(data, ctypes.Array):
-        return np.frombuffer(memoryview(data).cast("B"), np.uint8)
+def _bytes(data: Any, length: int | None = None) -> NDArray[np.uint8]:
+    """The memory of what a program passes; length: how many bytes of it, if the program says so."""
+    memory = raw_bytes(data)
+    if memory is not None:
+        return memory
+    if is_pointer(data) and length is not None and length >= 0:
+        return np.asarray(plain(ctypes.cast(data, ctypes.POINTER(ctypes.c_uint8)), length))
     array = np.asarray(data)
     if array.dtype.kind not in "biuf":
         raise TypeError("data must be bytes, an array or None")
-    if not isinstance(data, np.ndarray):
+    if not isinstance(data, (np.ndarray, ctypes.Array, pyarray)):
         array = array.astype(np.float32)
     return np.ascontiguousarray(array).reshape(-1).view(np.uint8)
 
@@ -121,10 +125,10 @@ def glBufferData(m: Machine, target: int, size: Any, data: Any = None, usage: An
     if usage not in USAGES:
         raise invalid_enum("usage", usage, "GL_STATIC_DRAW, GL_DYNAMIC_DRAW, GL_STREAM_DRAW or a _READ or _COPY form")
     buffer = _bound(m, target)
-    given = None if data is None else _bytes(data)
+    if size is not None and size < 0:
+        raise invalid_value("size", size, "at least 0")
+    given = None if data is None else _bytes(data, size)
     length = int(size) if size is not None else len(given) if given is not None else 0
-    if length < 0:
-        raise invalid_value("size", length, "at least 0")
     if length > LARGEST_BUFFER:
         raise out_of_memory(f"{length} bytes are more than a buffer can hold")
     if given is not None and len(given) < length:
@@ -145,7 +149,7 @@ def _part(buffer: Buffer, offset: int, size: int) -> slice:
 def glBufferSubData(m: Machine, target: int, offset: int, size: Any, data: Any = None) -> None:
     """glBufferSubData(target, offset, size, data), or in PyOpenGL's form (target, offset, data)."""
     buffer = _bound(m, target)
-    given = _bytes(size if data is None else data)
+    given = _bytes(size) if data is None else _bytes(data, int(size))
     length = len(given) if data is None else int(size)
     if len(given) < length:
         raise ValueError(f"size is {length} bytes, but data has {len(given)}")
@@ -159,7 +163,10 @@ def glGetBufferSubData(m: Machine, target: int, offset: int, size: int, data: An
     found = buffer.data[_part(buffer, int(offset), int(size))]
     if data is None:
         return found.copy()
-    np.asarray(data).reshape(-1).view(np.uint8)[: len(found)] = found
+    view = np.asarray(plain(data, len(found)))
+    if not view.flags.c_contiguous or not view.flags.writeable or isinstance(data, (list, tuple, bytes)):
+        raise TypeError("data must be a writable NumPy or ctypes array, or a bytearray")
+    fill(view.reshape(-1).view(np.uint8), found)
     return data
 
 

@@ -9,46 +9,50 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
-from ctypes import ArgumentError
-from struct import error as StructError  # noqa: N812
+from functools import cache, wraps
 from typing import Any
 
 import numpy as np
 
 from glsim.gl import immediate
-from glsim.gl.arguments import numbers, signed_colour
+from glsim.gl.arguments import again, numbers, signed_colour
 from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
-from glsim.machine.errors import GLError, explain
+from glsim.machine.errors import MISUSE, GLError, is_a_sentence, show
 from glsim.machine.types import SUFFIXES
 
 Function = Callable[..., Any]
-ERRORS = (GLError, TypeError, ValueError, OverflowError, IndexError, NotImplementedError, StructError, ArgumentError)
+ERRORS = (GLError, MemoryError, *MISUSE)
 
 # `current` is a global of immediate.py, where all commands find the machine; m would hide glLoadMatrixf's argument
 _TEMPLATE = """
-def bind(name, body, errors, explain):
-    def command({arguments}):
+def bind(name, body, errors, again):
+    def command({arguments}{rest}):
         machine = current
         if machine.{flag}:
-            return machine.{route}(name, ({tuple}))
+            return machine.{route}(name, ({tuple}{rest}))
         try:
             return body(machine{call})
         except errors as error:
-            raise explain(error, name, ({tuple})) from None
+            return again(error, name, ({tuple}))
     return command
 """
-_binders: dict[tuple[int, bool], Function] = {}
+_binders: dict[tuple[int, bool, bool], Function] = {}
+EXACT = ("glBegin", "glEnd")  # PyOpenGL's are Python functions, which take no surplus arguments
 
 
-def _binder(count: int, inside: bool) -> Function:
-    """The function that makes a public function of ``count`` arguments from a name and a body."""
-    if (count, inside) not in _binders:
+def _binder(count: int, inside: bool, exact: bool) -> Function:
+    """The function that makes a public function of ``count`` arguments from a name and a body.
+
+    Surplus arguments are ignored, as they are by PyOpenGL, whose commands are C functions; a recorder sees them.
+    """
+    if (count, inside, exact) not in _binders:
         words = [f"a{k}" for k in range(count)]
         flag, route = ("recorder", "recorder") if inside else ("busy", "intercept")
         source = _TEMPLATE.format(
-            arguments=", ".join(words),
+            arguments="".join(f"{word}, " for word in words),
+            rest="" if exact else "*surplus,",
             tuple="".join(f"{word}, " for word in words),
             call="".join(f", {word}" for word in words),
             flag=flag,
@@ -56,21 +60,31 @@ def _binder(count: int, inside: bool) -> Function:
         )
         scope: dict[str, Any] = {}
         exec(compile(source, f"<gl command of {count} arguments>", "exec"), vars(immediate), scope)
-        _binders[count, inside] = scope["bind"]
-    return _binders[count, inside]
+        _binders[count, inside, exact] = scope["bind"]
+    return _binders[count, inside, exact]
+
+
+@cache
+def _signature(parameters: tuple[str, ...], defaults: tuple[Any, ...] | None) -> inspect.Signature:
+    """The specification's arguments, without the surplus ones."""
+    values = (*[inspect.Parameter.empty] * (len(parameters) - len(defaults or ())), *(defaults or ()))
+    kind = inspect.Parameter.POSITIONAL_OR_KEYWORD
+    return inspect.Signature(
+        [inspect.Parameter(name, kind, default=value) for name, value in zip(parameters, values, strict=True)]
+    )
 
 
 def public(command: Command, body: Function, parameters: tuple[str, ...], defaults: tuple[Any, ...] | None) -> Function:
     """A public function with the command's own name and argument names."""
-    made = _binder(len(parameters), command.inside)(command.name, body, ERRORS, explain)
+    made = _binder(len(parameters), command.inside, command.name in EXACT)(command.name, body, ERRORS, again)
     code = made.__code__
     made.__code__ = code.replace(
         co_name=command.name, co_varnames=(*parameters, *code.co_varnames[len(parameters) :]), co_qualname=command.name
     )
     made.__name__ = made.__qualname__ = command.name
     made.__module__ = "glsim.gl"
-    made.__doc__ = body.__doc__
     made.__defaults__ = defaults
+    made.__signature__ = _signature(parameters, defaults)
     return made  # type: ignore[no-any-return]
 
 
@@ -91,7 +105,7 @@ def _adapt(command: Command, body: Function) -> Function:
     if command.result:  # glGetLightfv: numbers -> an array of the variant's type
         return lambda m, *a: into(a[-1], answer(body(m, *a[:-1]), kind, a[-2] in COLOURS))
     if command.family == "glRect" and command.vector:
-        return lambda m, v1, v2: body(m, *v1, *v2)
+        return lambda m, v1, v2: body(m, *numbers(v1)[:2], *numbers(v2)[:2])
     if command.size == 0 or command.arguments[-1][0] == "param":  # a named parameter
         return _integer_parameter(body) if kind == "i" else body
     if command.family == "glSecondaryColor" and kind in _SCALES:
@@ -138,15 +152,17 @@ def suffix_free(family: str, functions: dict[str, Function]) -> Function:
         call = _suffix_free_components(family, functions)
     call.__name__ = call.__qualname__ = family
     call.__module__ = "glsim.gl"
-    call.__doc__ = f"{family} with any number type and count: {', '.join(row.name for row in rows[:4])}, ..."
     return call
 
 
 def _suffix_free_parameter(family: str, functions: dict[str, Function]) -> Function:
     scalar, vector = functions[f"{family}f"], functions.get(f"{family}fv")
+    names = (*FAMILIES[family][0].parameters[:-1], "params")
 
     def call(*arguments: Any) -> Any:
-        one = isinstance(arguments[-1], (int, float)) or vector is None
+        if len(arguments) < len(names):
+            raise TypeError(f"{family} takes {len(names)} arguments ({', '.join(names)}), not {len(arguments)}")
+        one = isinstance(arguments[len(names) - 1], (int, float)) or vector is None
         return (scalar if one else vector)(*arguments)  # type: ignore[misc]
 
     return call
@@ -159,10 +175,13 @@ def _suffix_free_components(family: str, functions: dict[str, Function]) -> Func
 
     def call(*arguments: Any) -> Any:
         rest = arguments[leading:]
-        if len(rest) == 1 and not isinstance(rest[0], (int, float)):
-            rest = numbers(rest[0])
-        elif family == "glRect" and len(rest) == 2:
-            rest = (*numbers(rest[0]), *numbers(rest[1]))
+        try:
+            if len(rest) == 1 and not isinstance(rest[0], (int, float)):
+                rest = numbers(rest[0])
+            elif family == "glRect" and len(rest) == 2:
+                rest = (*numbers(rest[0]), *numbers(rest[1]))
+        except TypeError as error:
+            raise TypeError(f"{family}: {error}") from None
         function = by_count.get(len(rest))
         if function is None:
             counts = " or ".join(map(str, sorted(by_count)))
@@ -236,4 +255,20 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
             made[f"{name}{suffix}"] = _typed_image(functions[name], gl_type, leading)
     for name, function in made.items():
         function.__name__ = function.__qualname__ = name
+        made[name] = _explained(function)
     return made
+
+
+def _explained(function: Function) -> Function:
+    """The function with a sentence where NumPy has no use for its array."""
+
+    @wraps(function)
+    def call(*arguments: Any, **named: Any) -> Any:
+        try:
+            return function(*arguments, **named)
+        except MISUSE as error:
+            if is_a_sentence(error) or not arguments:
+                raise
+            raise TypeError(f"{function.__name__}: an array of numbers is needed, not {show(arguments[-1])}") from None
+
+    return call

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.gl.arguments import numbers
 from glsim.machine.constants import (
     GL_COEFF,
     GL_DOMAIN,
@@ -23,10 +24,11 @@ from glsim.machine.constants import (
     GL_QUADS,
     GL_TRIANGLES,
 )
-from glsim.machine.errors import invalid_enum, invalid_value
+from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
 from glsim.machine.frame import ROW, ROW_BYTES
 from glsim.machine.kept import kept
 from glsim.machine.machine import Machine
+from glsim.machine.types import plain
 
 Float = NDArray[np.float64]
 MAX_EVAL_ORDER = 30
@@ -61,12 +63,22 @@ def _check(names: str, low: float, high: float, stride: int, order: int, compone
         raise invalid_value("order", order, f"from 1 to {MAX_EVAL_ORDER}")
 
 
+def _check_unit(m: Machine) -> None:
+    if m.texture.active_unit:
+        raise invalid_operation(f"maps belong to GL_TEXTURE0, but GL_TEXTURE{m.texture.active_unit} is active")
+
+
 def _taken(points: Any, index: NDArray[np.int64]) -> Float:
     """Control points out of the program's array of numbers."""
-    flat = np.asarray(points, np.float64).ravel()
+    flat = np.asarray(numbers(plain(points, int(index.max()) + 1)))
     if index.max() >= flat.size:
         raise ValueError(f"points has {flat.size} numbers, but the map needs {int(index.max()) + 1}")
     return flat[index]
+
+
+def _shaped(points: Any) -> Float:
+    numbers(points)  # or a sentence
+    return np.asarray(points, np.float64)
 
 
 def glMap1f(m: Machine, target: int, u1: float, u2: float, stride: Any, order: Any = None, points: Any = None) -> None:
@@ -77,11 +89,12 @@ def glMap1f(m: Machine, target: int, u1: float, u2: float, stride: Any, order: A
     what = _what(target, 1)
     k = COMPONENTS[what]
     if points is None:
-        points = np.asarray(stride, np.float64)
+        points = _shaped(stride)
         if points.ndim != 2:
             raise ValueError(f"points must have the shape (order, {k}), not {points.shape}")
         order, stride = points.shape
     _check("u1 and u2", u1, u2, stride, order, k)
+    _check_unit(m)
     index = np.arange(order)[:, None] * int(stride) + np.arange(k)
     m.maps[target] = Map(_taken(points, index), (float(u1), float(u2)))
 
@@ -101,7 +114,7 @@ def glMap2f(
     what = _what(target, 2)
     k = COMPONENTS[what]
     if points is None:
-        points = np.asarray(v1, np.float64)
+        points = _shaped(v1)
         v1, v2 = ustride, uorder
         if points.ndim != 3:
             raise ValueError(f"points must have the shape (uorder, vorder, {k}), not {points.shape}")
@@ -109,6 +122,7 @@ def glMap2f(
         ustride = vorder * vstride
     _check("u1 and u2", u1, u2, ustride, uorder, k)
     _check("v1 and v2", v1, v2, vstride, vorder, k)
+    _check_unit(m)
     u, v = np.arange(uorder)[:, None, None] * int(ustride), np.arange(vorder)[:, None] * int(vstride)
     m.maps[target] = Map(_taken(points, u + v + np.arange(k)), (float(u1), float(u2), float(v1), float(v2)))
 

@@ -7,445 +7,432 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from struct import Struct
-from struct import error as struct_error
 from typing import Any
 
-from glsim.machine.current import attach, current_machine
-from glsim.machine.errors import explain
+from glsim.gl.arguments import again
+from glsim.machine.current import attach
+from glsim.machine.errors import MISUSE as BAD
 
 row = Struct("10f").pack
-BAD = (TypeError, ValueError, OverflowError, IndexError, struct_error)
 Numbers = Sequence[Any]
 current: Any  # the machine; see glsim/machine/current.py
 attach(globals())
-
-
-def _misuse(name: str, arguments: tuple[Any, ...], error: Exception) -> Exception:
-    """The sentence for a number that is none: an argument, or the current normal or colour."""
-    if isinstance(error, struct_error):
-        m = current_machine()
-        for what, value in (("normal", (m.nx, m.ny, m.nz)), ("color", (m.red, m.green, m.blue, m.alpha))):
-            try:
-                Struct(f"{len(value)}f").pack(*value)
-            except BAD:
-                return TypeError(f"{name}: the current {what} (gl{what.title()}) is not made of numbers: {value!r}")
-    return explain(error, name, arguments)
 
 
 def _first(v: Any) -> Any:
     return v[0] if hasattr(v, "__getitem__") else v
 
 
-def glVertex2s(x: int, y: int) -> None:
+def glVertex2s(x: int, y: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex2s", (x, y))  # type: ignore[no-any-return]
+        return m.recorder("glVertex2s", (x, y) if surplus is None else (x, y, surplus))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        raise _misuse("glVertex2s", (x, y), error) from None
+        again(error, "glVertex2s", (x, y))
 
 
-def glVertex2sv(v: Numbers) -> None:
+def glVertex2sv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex2sv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glVertex2sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         x, y = v
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        raise _misuse("glVertex2sv", (v,), error) from None
+        again(error, "glVertex2sv", (v,))
 
 
-def glVertex2i(x: int, y: int) -> None:
+def glVertex2i(x: int, y: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex2i", (x, y))  # type: ignore[no-any-return]
+        return m.recorder("glVertex2i", (x, y) if surplus is None else (x, y, surplus))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        raise _misuse("glVertex2i", (x, y), error) from None
+        again(error, "glVertex2i", (x, y))
 
 
-def glVertex2iv(v: Numbers) -> None:
+def glVertex2iv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex2iv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glVertex2iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         x, y = v
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        raise _misuse("glVertex2iv", (v,), error) from None
+        again(error, "glVertex2iv", (v,))
 
 
-def glVertex2f(x: float, y: float) -> None:
+def glVertex2f(x: float, y: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex2f", (x, y))  # type: ignore[no-any-return]
+        return m.recorder("glVertex2f", (x, y) if surplus is None else (x, y, surplus))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        raise _misuse("glVertex2f", (x, y), error) from None
+        again(error, "glVertex2f", (x, y))
 
 
-def glVertex2fv(v: Numbers) -> None:
+def glVertex2fv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex2fv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glVertex2fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         x, y = v
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        raise _misuse("glVertex2fv", (v,), error) from None
+        again(error, "glVertex2fv", (v,))
 
 
-def glVertex2d(x: float, y: float) -> None:
+def glVertex2d(x: float, y: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex2d", (x, y))  # type: ignore[no-any-return]
+        return m.recorder("glVertex2d", (x, y) if surplus is None else (x, y, surplus))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        raise _misuse("glVertex2d", (x, y), error) from None
+        again(error, "glVertex2d", (x, y))
 
 
-def glVertex2dv(v: Numbers) -> None:
+def glVertex2dv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex2dv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glVertex2dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         x, y = v
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        raise _misuse("glVertex2dv", (v,), error) from None
+        again(error, "glVertex2dv", (v,))
 
 
-def glVertex3s(x: int, y: int, z: int) -> None:
+def glVertex3s(x: int, y: int, z: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex3s", (x, y, z))  # type: ignore[no-any-return]
+        return m.recorder("glVertex3s", (x, y, z) if surplus is None else (x, y, z, surplus))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        raise _misuse("glVertex3s", (x, y, z), error) from None
+        again(error, "glVertex3s", (x, y, z))
 
 
-def glVertex3sv(v: Numbers) -> None:
+def glVertex3sv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex3sv", (v,))  # type: ignore[no-any-return]
-    try:
-        x, y, z = v
-        m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
-        raise _misuse("glVertex3sv", (v,), error) from None
-
-
-def glVertex3i(x: int, y: int, z: int) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glVertex3i", (x, y, z))  # type: ignore[no-any-return]
-    try:
-        m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
-        raise _misuse("glVertex3i", (x, y, z), error) from None
-
-
-def glVertex3iv(v: Numbers) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glVertex3iv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glVertex3sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         x, y, z = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        raise _misuse("glVertex3iv", (v,), error) from None
+        again(error, "glVertex3sv", (v,))
 
 
-def glVertex3f(x: float, y: float, z: float) -> None:
+def glVertex3i(x: int, y: int, z: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex3f", (x, y, z))  # type: ignore[no-any-return]
+        return m.recorder("glVertex3i", (x, y, z) if surplus is None else (x, y, z, surplus))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        raise _misuse("glVertex3f", (x, y, z), error) from None
+        again(error, "glVertex3i", (x, y, z))
 
 
-def glVertex3fv(v: Numbers) -> None:
+def glVertex3iv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex3fv", (v,))  # type: ignore[no-any-return]
-    try:
-        x, y, z = v
-        m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
-        raise _misuse("glVertex3fv", (v,), error) from None
-
-
-def glVertex3d(x: float, y: float, z: float) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glVertex3d", (x, y, z))  # type: ignore[no-any-return]
-    try:
-        m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-    except BAD as error:
-        raise _misuse("glVertex3d", (x, y, z), error) from None
-
-
-def glVertex3dv(v: Numbers) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glVertex3dv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glVertex3iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         x, y, z = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        raise _misuse("glVertex3dv", (v,), error) from None
+        again(error, "glVertex3iv", (v,))
 
 
-def glVertex4s(x: int, y: int, z: int, w: int) -> None:
+def glVertex3f(x: float, y: float, z: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex4s", (x, y, z, w))  # type: ignore[no-any-return]
+        return m.recorder("glVertex3f", (x, y, z) if surplus is None else (x, y, z, surplus))  # type: ignore[no-any-return]
+    try:
+        m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
+    except BAD as error:
+        again(error, "glVertex3f", (x, y, z))
+
+
+def glVertex3fv(v: Numbers, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glVertex3fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
+    try:
+        x, y, z = v
+        m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
+    except BAD as error:
+        again(error, "glVertex3fv", (v,))
+
+
+def glVertex3d(x: float, y: float, z: float, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glVertex3d", (x, y, z) if surplus is None else (x, y, z, surplus))  # type: ignore[no-any-return]
+    try:
+        m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
+    except BAD as error:
+        again(error, "glVertex3d", (x, y, z))
+
+
+def glVertex3dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glVertex3dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
+    try:
+        x, y, z = v
+        m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
+    except BAD as error:
+        again(error, "glVertex3dv", (v,))
+
+
+def glVertex4s(x: int, y: int, z: int, w: int, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glVertex4s", (x, y, z, w) if surplus is None else (x, y, z, w, surplus))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        raise _misuse("glVertex4s", (x, y, z, w), error) from None
+        again(error, "glVertex4s", (x, y, z, w))
 
 
-def glVertex4sv(v: Numbers) -> None:
+def glVertex4sv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex4sv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glVertex4sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         x, y, z, w = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        raise _misuse("glVertex4sv", (v,), error) from None
+        again(error, "glVertex4sv", (v,))
 
 
-def glVertex4i(x: int, y: int, z: int, w: int) -> None:
+def glVertex4i(x: int, y: int, z: int, w: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex4i", (x, y, z, w))  # type: ignore[no-any-return]
+        return m.recorder("glVertex4i", (x, y, z, w) if surplus is None else (x, y, z, w, surplus))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        raise _misuse("glVertex4i", (x, y, z, w), error) from None
+        again(error, "glVertex4i", (x, y, z, w))
 
 
-def glVertex4iv(v: Numbers) -> None:
+def glVertex4iv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex4iv", (v,))  # type: ignore[no-any-return]
-    try:
-        x, y, z, w = v
-        m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-        if w != 1.0 and m.inside is not None:
-            m.columns.append(("w", m.stream.tell() // 40 - 1, w))
-    except BAD as error:
-        raise _misuse("glVertex4iv", (v,), error) from None
-
-
-def glVertex4f(x: float, y: float, z: float, w: float) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glVertex4f", (x, y, z, w))  # type: ignore[no-any-return]
-    try:
-        m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
-        if w != 1.0 and m.inside is not None:
-            m.columns.append(("w", m.stream.tell() // 40 - 1, w))
-    except BAD as error:
-        raise _misuse("glVertex4f", (x, y, z, w), error) from None
-
-
-def glVertex4fv(v: Numbers) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glVertex4fv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glVertex4iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         x, y, z, w = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        raise _misuse("glVertex4fv", (v,), error) from None
+        again(error, "glVertex4iv", (v,))
 
 
-def glVertex4d(x: float, y: float, z: float, w: float) -> None:
+def glVertex4f(x: float, y: float, z: float, w: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex4d", (x, y, z, w))  # type: ignore[no-any-return]
+        return m.recorder("glVertex4f", (x, y, z, w) if surplus is None else (x, y, z, w, surplus))  # type: ignore[no-any-return]
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        raise _misuse("glVertex4d", (x, y, z, w), error) from None
+        again(error, "glVertex4f", (x, y, z, w))
 
 
-def glVertex4dv(v: Numbers) -> None:
+def glVertex4fv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glVertex4dv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glVertex4fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         x, y, z, w = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        raise _misuse("glVertex4dv", (v,), error) from None
+        again(error, "glVertex4fv", (v,))
 
 
-def glNormal3b(nx: int, ny: int, nz: int) -> None:
+def glVertex4d(x: float, y: float, z: float, w: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glNormal3b", (nx, ny, nz))  # type: ignore[no-any-return]
+        return m.recorder("glVertex4d", (x, y, z, w) if surplus is None else (x, y, z, w, surplus))  # type: ignore[no-any-return]
+    try:
+        m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
+        if w != 1.0 and m.inside is not None:
+            m.columns.append(("w", m.stream.tell() // 40 - 1, w))
+    except BAD as error:
+        again(error, "glVertex4d", (x, y, z, w))
+
+
+def glVertex4dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glVertex4dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
+    try:
+        x, y, z, w = v
+        m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
+        if w != 1.0 and m.inside is not None:
+            m.columns.append(("w", m.stream.tell() // 40 - 1, w))
+    except BAD as error:
+        again(error, "glVertex4dv", (v,))
+
+
+def glNormal3b(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glNormal3b", (nx, ny, nz) if surplus is None else (nx, ny, nz, surplus))  # type: ignore[no-any-return]
     try:
         m.nx = (2 * nx + 1) / 255.0
         m.ny = (2 * ny + 1) / 255.0
         m.nz = (2 * nz + 1) / 255.0
     except BAD as error:
-        raise _misuse("glNormal3b", (nx, ny, nz), error) from None
+        again(error, "glNormal3b", (nx, ny, nz))
 
 
-def glNormal3bv(v: Numbers) -> None:
+def glNormal3bv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glNormal3bv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glNormal3bv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         nx, ny, nz = v
         m.nx = (2 * nx + 1) / 255.0
         m.ny = (2 * ny + 1) / 255.0
         m.nz = (2 * nz + 1) / 255.0
     except BAD as error:
-        raise _misuse("glNormal3bv", (v,), error) from None
+        again(error, "glNormal3bv", (v,))
 
 
-def glNormal3s(nx: int, ny: int, nz: int) -> None:
+def glNormal3s(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glNormal3s", (nx, ny, nz))  # type: ignore[no-any-return]
+        return m.recorder("glNormal3s", (nx, ny, nz) if surplus is None else (nx, ny, nz, surplus))  # type: ignore[no-any-return]
     try:
         m.nx = (2 * nx + 1) / 65535.0
         m.ny = (2 * ny + 1) / 65535.0
         m.nz = (2 * nz + 1) / 65535.0
     except BAD as error:
-        raise _misuse("glNormal3s", (nx, ny, nz), error) from None
+        again(error, "glNormal3s", (nx, ny, nz))
 
 
-def glNormal3sv(v: Numbers) -> None:
+def glNormal3sv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glNormal3sv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glNormal3sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         nx, ny, nz = v
         m.nx = (2 * nx + 1) / 65535.0
         m.ny = (2 * ny + 1) / 65535.0
         m.nz = (2 * nz + 1) / 65535.0
     except BAD as error:
-        raise _misuse("glNormal3sv", (v,), error) from None
+        again(error, "glNormal3sv", (v,))
 
 
-def glNormal3i(nx: int, ny: int, nz: int) -> None:
+def glNormal3i(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glNormal3i", (nx, ny, nz))  # type: ignore[no-any-return]
+        return m.recorder("glNormal3i", (nx, ny, nz) if surplus is None else (nx, ny, nz, surplus))  # type: ignore[no-any-return]
     try:
         m.nx = (2 * nx + 1) / 4294967295.0
         m.ny = (2 * ny + 1) / 4294967295.0
         m.nz = (2 * nz + 1) / 4294967295.0
     except BAD as error:
-        raise _misuse("glNormal3i", (nx, ny, nz), error) from None
+        again(error, "glNormal3i", (nx, ny, nz))
 
 
-def glNormal3iv(v: Numbers) -> None:
+def glNormal3iv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glNormal3iv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glNormal3iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         nx, ny, nz = v
         m.nx = (2 * nx + 1) / 4294967295.0
         m.ny = (2 * ny + 1) / 4294967295.0
         m.nz = (2 * nz + 1) / 4294967295.0
     except BAD as error:
-        raise _misuse("glNormal3iv", (v,), error) from None
+        again(error, "glNormal3iv", (v,))
 
 
-def glNormal3f(nx: float, ny: float, nz: float) -> None:
+def glNormal3f(nx: float, ny: float, nz: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glNormal3f", (nx, ny, nz))  # type: ignore[no-any-return]
+        return m.recorder("glNormal3f", (nx, ny, nz) if surplus is None else (nx, ny, nz, surplus))  # type: ignore[no-any-return]
     try:
         m.nx = nx
         m.ny = ny
         m.nz = nz
     except BAD as error:
-        raise _misuse("glNormal3f", (nx, ny, nz), error) from None
+        again(error, "glNormal3f", (nx, ny, nz))
 
 
-def glNormal3fv(v: Numbers) -> None:
+def glNormal3fv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glNormal3fv", (v,))  # type: ignore[no-any-return]
-    try:
-        nx, ny, nz = v
-        m.nx = nx
-        m.ny = ny
-        m.nz = nz
-    except BAD as error:
-        raise _misuse("glNormal3fv", (v,), error) from None
-
-
-def glNormal3d(nx: float, ny: float, nz: float) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glNormal3d", (nx, ny, nz))  # type: ignore[no-any-return]
-    try:
-        m.nx = nx
-        m.ny = ny
-        m.nz = nz
-    except BAD as error:
-        raise _misuse("glNormal3d", (nx, ny, nz), error) from None
-
-
-def glNormal3dv(v: Numbers) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glNormal3dv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glNormal3fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         nx, ny, nz = v
         m.nx = nx
         m.ny = ny
         m.nz = nz
     except BAD as error:
-        raise _misuse("glNormal3dv", (v,), error) from None
+        again(error, "glNormal3fv", (v,))
 
 
-def glColor3b(red: int, green: int, blue: int) -> None:
+def glNormal3d(nx: float, ny: float, nz: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3b", (red, green, blue))  # type: ignore[no-any-return]
+        return m.recorder("glNormal3d", (nx, ny, nz) if surplus is None else (nx, ny, nz, surplus))  # type: ignore[no-any-return]
+    try:
+        m.nx = nx
+        m.ny = ny
+        m.nz = nz
+    except BAD as error:
+        again(error, "glNormal3d", (nx, ny, nz))
+
+
+def glNormal3dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glNormal3dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
+    try:
+        nx, ny, nz = v
+        m.nx = nx
+        m.ny = ny
+        m.nz = nz
+    except BAD as error:
+        again(error, "glNormal3dv", (v,))
+
+
+def glColor3b(red: int, green: int, blue: int, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glColor3b", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
         m.red = (2 * red + 1) / 255.0
         m.green = (2 * green + 1) / 255.0
         m.blue = (2 * blue + 1) / 255.0
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3b", (red, green, blue), error) from None
+        again(error, "glColor3b", (red, green, blue))
 
 
-def glColor3bv(v: Numbers) -> None:
+def glColor3bv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3bv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor3bv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue = v
         m.red = (2 * red + 1) / 255.0
@@ -453,26 +440,26 @@ def glColor3bv(v: Numbers) -> None:
         m.blue = (2 * blue + 1) / 255.0
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3bv", (v,), error) from None
+        again(error, "glColor3bv", (v,))
 
 
-def glColor3s(red: int, green: int, blue: int) -> None:
+def glColor3s(red: int, green: int, blue: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3s", (red, green, blue))  # type: ignore[no-any-return]
+        return m.recorder("glColor3s", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
         m.red = (2 * red + 1) / 65535.0
         m.green = (2 * green + 1) / 65535.0
         m.blue = (2 * blue + 1) / 65535.0
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3s", (red, green, blue), error) from None
+        again(error, "glColor3s", (red, green, blue))
 
 
-def glColor3sv(v: Numbers) -> None:
+def glColor3sv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3sv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor3sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue = v
         m.red = (2 * red + 1) / 65535.0
@@ -480,26 +467,26 @@ def glColor3sv(v: Numbers) -> None:
         m.blue = (2 * blue + 1) / 65535.0
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3sv", (v,), error) from None
+        again(error, "glColor3sv", (v,))
 
 
-def glColor3i(red: int, green: int, blue: int) -> None:
+def glColor3i(red: int, green: int, blue: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3i", (red, green, blue))  # type: ignore[no-any-return]
+        return m.recorder("glColor3i", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
         m.red = (2 * red + 1) / 4294967295.0
         m.green = (2 * green + 1) / 4294967295.0
         m.blue = (2 * blue + 1) / 4294967295.0
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3i", (red, green, blue), error) from None
+        again(error, "glColor3i", (red, green, blue))
 
 
-def glColor3iv(v: Numbers) -> None:
+def glColor3iv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3iv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor3iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue = v
         m.red = (2 * red + 1) / 4294967295.0
@@ -507,53 +494,26 @@ def glColor3iv(v: Numbers) -> None:
         m.blue = (2 * blue + 1) / 4294967295.0
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3iv", (v,), error) from None
+        again(error, "glColor3iv", (v,))
 
 
-def glColor3f(red: float, green: float, blue: float) -> None:
+def glColor3f(red: float, green: float, blue: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3f", (red, green, blue))  # type: ignore[no-any-return]
+        return m.recorder("glColor3f", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
         m.red = red
         m.green = green
         m.blue = blue
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3f", (red, green, blue), error) from None
+        again(error, "glColor3f", (red, green, blue))
 
 
-def glColor3fv(v: Numbers) -> None:
+def glColor3fv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3fv", (v,))  # type: ignore[no-any-return]
-    try:
-        red, green, blue = v
-        m.red = red
-        m.green = green
-        m.blue = blue
-        m.alpha = 1.0
-    except BAD as error:
-        raise _misuse("glColor3fv", (v,), error) from None
-
-
-def glColor3d(red: float, green: float, blue: float) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glColor3d", (red, green, blue))  # type: ignore[no-any-return]
-    try:
-        m.red = red
-        m.green = green
-        m.blue = blue
-        m.alpha = 1.0
-    except BAD as error:
-        raise _misuse("glColor3d", (red, green, blue), error) from None
-
-
-def glColor3dv(v: Numbers) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glColor3dv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor3fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue = v
         m.red = red
@@ -561,26 +521,53 @@ def glColor3dv(v: Numbers) -> None:
         m.blue = blue
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3dv", (v,), error) from None
+        again(error, "glColor3fv", (v,))
 
 
-def glColor3ub(red: int, green: int, blue: int) -> None:
+def glColor3d(red: float, green: float, blue: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3ub", (red, green, blue))  # type: ignore[no-any-return]
+        return m.recorder("glColor3d", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
+    try:
+        m.red = red
+        m.green = green
+        m.blue = blue
+        m.alpha = 1.0
+    except BAD as error:
+        again(error, "glColor3d", (red, green, blue))
+
+
+def glColor3dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glColor3dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
+    try:
+        red, green, blue = v
+        m.red = red
+        m.green = green
+        m.blue = blue
+        m.alpha = 1.0
+    except BAD as error:
+        again(error, "glColor3dv", (v,))
+
+
+def glColor3ub(red: int, green: int, blue: int, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glColor3ub", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
         m.red = (red & 255) / 255.0
         m.green = (green & 255) / 255.0
         m.blue = (blue & 255) / 255.0
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3ub", (red, green, blue), error) from None
+        again(error, "glColor3ub", (red, green, blue))
 
 
-def glColor3ubv(v: Numbers) -> None:
+def glColor3ubv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3ubv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor3ubv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue = v
         m.red = (red & 255) / 255.0
@@ -588,26 +575,26 @@ def glColor3ubv(v: Numbers) -> None:
         m.blue = (blue & 255) / 255.0
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3ubv", (v,), error) from None
+        again(error, "glColor3ubv", (v,))
 
 
-def glColor3us(red: int, green: int, blue: int) -> None:
+def glColor3us(red: int, green: int, blue: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3us", (red, green, blue))  # type: ignore[no-any-return]
+        return m.recorder("glColor3us", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
         m.red = (red & 65535) / 65535.0
         m.green = (green & 65535) / 65535.0
         m.blue = (blue & 65535) / 65535.0
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3us", (red, green, blue), error) from None
+        again(error, "glColor3us", (red, green, blue))
 
 
-def glColor3usv(v: Numbers) -> None:
+def glColor3usv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3usv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor3usv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue = v
         m.red = (red & 65535) / 65535.0
@@ -615,26 +602,26 @@ def glColor3usv(v: Numbers) -> None:
         m.blue = (blue & 65535) / 65535.0
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3usv", (v,), error) from None
+        again(error, "glColor3usv", (v,))
 
 
-def glColor3ui(red: int, green: int, blue: int) -> None:
+def glColor3ui(red: int, green: int, blue: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3ui", (red, green, blue))  # type: ignore[no-any-return]
+        return m.recorder("glColor3ui", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
         m.red = (red & 4294967295) / 4294967295.0
         m.green = (green & 4294967295) / 4294967295.0
         m.blue = (blue & 4294967295) / 4294967295.0
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3ui", (red, green, blue), error) from None
+        again(error, "glColor3ui", (red, green, blue))
 
 
-def glColor3uiv(v: Numbers) -> None:
+def glColor3uiv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor3uiv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor3uiv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue = v
         m.red = (red & 4294967295) / 4294967295.0
@@ -642,26 +629,26 @@ def glColor3uiv(v: Numbers) -> None:
         m.blue = (blue & 4294967295) / 4294967295.0
         m.alpha = 1.0
     except BAD as error:
-        raise _misuse("glColor3uiv", (v,), error) from None
+        again(error, "glColor3uiv", (v,))
 
 
-def glColor4b(red: int, green: int, blue: int, alpha: int) -> None:
+def glColor4b(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4b", (red, green, blue, alpha))  # type: ignore[no-any-return]
+        return m.recorder("glColor4b", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
         m.red = (2 * red + 1) / 255.0
         m.green = (2 * green + 1) / 255.0
         m.blue = (2 * blue + 1) / 255.0
         m.alpha = (2 * alpha + 1) / 255.0
     except BAD as error:
-        raise _misuse("glColor4b", (red, green, blue, alpha), error) from None
+        again(error, "glColor4b", (red, green, blue, alpha))
 
 
-def glColor4bv(v: Numbers) -> None:
+def glColor4bv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4bv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor4bv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue, alpha = v
         m.red = (2 * red + 1) / 255.0
@@ -669,26 +656,26 @@ def glColor4bv(v: Numbers) -> None:
         m.blue = (2 * blue + 1) / 255.0
         m.alpha = (2 * alpha + 1) / 255.0
     except BAD as error:
-        raise _misuse("glColor4bv", (v,), error) from None
+        again(error, "glColor4bv", (v,))
 
 
-def glColor4s(red: int, green: int, blue: int, alpha: int) -> None:
+def glColor4s(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4s", (red, green, blue, alpha))  # type: ignore[no-any-return]
+        return m.recorder("glColor4s", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
         m.red = (2 * red + 1) / 65535.0
         m.green = (2 * green + 1) / 65535.0
         m.blue = (2 * blue + 1) / 65535.0
         m.alpha = (2 * alpha + 1) / 65535.0
     except BAD as error:
-        raise _misuse("glColor4s", (red, green, blue, alpha), error) from None
+        again(error, "glColor4s", (red, green, blue, alpha))
 
 
-def glColor4sv(v: Numbers) -> None:
+def glColor4sv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4sv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor4sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue, alpha = v
         m.red = (2 * red + 1) / 65535.0
@@ -696,26 +683,26 @@ def glColor4sv(v: Numbers) -> None:
         m.blue = (2 * blue + 1) / 65535.0
         m.alpha = (2 * alpha + 1) / 65535.0
     except BAD as error:
-        raise _misuse("glColor4sv", (v,), error) from None
+        again(error, "glColor4sv", (v,))
 
 
-def glColor4i(red: int, green: int, blue: int, alpha: int) -> None:
+def glColor4i(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4i", (red, green, blue, alpha))  # type: ignore[no-any-return]
+        return m.recorder("glColor4i", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
         m.red = (2 * red + 1) / 4294967295.0
         m.green = (2 * green + 1) / 4294967295.0
         m.blue = (2 * blue + 1) / 4294967295.0
         m.alpha = (2 * alpha + 1) / 4294967295.0
     except BAD as error:
-        raise _misuse("glColor4i", (red, green, blue, alpha), error) from None
+        again(error, "glColor4i", (red, green, blue, alpha))
 
 
-def glColor4iv(v: Numbers) -> None:
+def glColor4iv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4iv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor4iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue, alpha = v
         m.red = (2 * red + 1) / 4294967295.0
@@ -723,53 +710,26 @@ def glColor4iv(v: Numbers) -> None:
         m.blue = (2 * blue + 1) / 4294967295.0
         m.alpha = (2 * alpha + 1) / 4294967295.0
     except BAD as error:
-        raise _misuse("glColor4iv", (v,), error) from None
+        again(error, "glColor4iv", (v,))
 
 
-def glColor4f(red: float, green: float, blue: float, alpha: float) -> None:
+def glColor4f(red: float, green: float, blue: float, alpha: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4f", (red, green, blue, alpha))  # type: ignore[no-any-return]
+        return m.recorder("glColor4f", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
         m.red = red
         m.green = green
         m.blue = blue
         m.alpha = alpha
     except BAD as error:
-        raise _misuse("glColor4f", (red, green, blue, alpha), error) from None
+        again(error, "glColor4f", (red, green, blue, alpha))
 
 
-def glColor4fv(v: Numbers) -> None:
+def glColor4fv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4fv", (v,))  # type: ignore[no-any-return]
-    try:
-        red, green, blue, alpha = v
-        m.red = red
-        m.green = green
-        m.blue = blue
-        m.alpha = alpha
-    except BAD as error:
-        raise _misuse("glColor4fv", (v,), error) from None
-
-
-def glColor4d(red: float, green: float, blue: float, alpha: float) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glColor4d", (red, green, blue, alpha))  # type: ignore[no-any-return]
-    try:
-        m.red = red
-        m.green = green
-        m.blue = blue
-        m.alpha = alpha
-    except BAD as error:
-        raise _misuse("glColor4d", (red, green, blue, alpha), error) from None
-
-
-def glColor4dv(v: Numbers) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glColor4dv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor4fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue, alpha = v
         m.red = red
@@ -777,26 +737,53 @@ def glColor4dv(v: Numbers) -> None:
         m.blue = blue
         m.alpha = alpha
     except BAD as error:
-        raise _misuse("glColor4dv", (v,), error) from None
+        again(error, "glColor4fv", (v,))
 
 
-def glColor4ub(red: int, green: int, blue: int, alpha: int) -> None:
+def glColor4d(red: float, green: float, blue: float, alpha: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4ub", (red, green, blue, alpha))  # type: ignore[no-any-return]
+        return m.recorder("glColor4d", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
+    try:
+        m.red = red
+        m.green = green
+        m.blue = blue
+        m.alpha = alpha
+    except BAD as error:
+        again(error, "glColor4d", (red, green, blue, alpha))
+
+
+def glColor4dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glColor4dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
+    try:
+        red, green, blue, alpha = v
+        m.red = red
+        m.green = green
+        m.blue = blue
+        m.alpha = alpha
+    except BAD as error:
+        again(error, "glColor4dv", (v,))
+
+
+def glColor4ub(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glColor4ub", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
         m.red = (red & 255) / 255.0
         m.green = (green & 255) / 255.0
         m.blue = (blue & 255) / 255.0
         m.alpha = (alpha & 255) / 255.0
     except BAD as error:
-        raise _misuse("glColor4ub", (red, green, blue, alpha), error) from None
+        again(error, "glColor4ub", (red, green, blue, alpha))
 
 
-def glColor4ubv(v: Numbers) -> None:
+def glColor4ubv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4ubv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor4ubv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue, alpha = v
         m.red = (red & 255) / 255.0
@@ -804,26 +791,26 @@ def glColor4ubv(v: Numbers) -> None:
         m.blue = (blue & 255) / 255.0
         m.alpha = (alpha & 255) / 255.0
     except BAD as error:
-        raise _misuse("glColor4ubv", (v,), error) from None
+        again(error, "glColor4ubv", (v,))
 
 
-def glColor4us(red: int, green: int, blue: int, alpha: int) -> None:
+def glColor4us(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4us", (red, green, blue, alpha))  # type: ignore[no-any-return]
+        return m.recorder("glColor4us", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
         m.red = (red & 65535) / 65535.0
         m.green = (green & 65535) / 65535.0
         m.blue = (blue & 65535) / 65535.0
         m.alpha = (alpha & 65535) / 65535.0
     except BAD as error:
-        raise _misuse("glColor4us", (red, green, blue, alpha), error) from None
+        again(error, "glColor4us", (red, green, blue, alpha))
 
 
-def glColor4usv(v: Numbers) -> None:
+def glColor4usv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4usv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor4usv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue, alpha = v
         m.red = (red & 65535) / 65535.0
@@ -831,26 +818,26 @@ def glColor4usv(v: Numbers) -> None:
         m.blue = (blue & 65535) / 65535.0
         m.alpha = (alpha & 65535) / 65535.0
     except BAD as error:
-        raise _misuse("glColor4usv", (v,), error) from None
+        again(error, "glColor4usv", (v,))
 
 
-def glColor4ui(red: int, green: int, blue: int, alpha: int) -> None:
+def glColor4ui(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4ui", (red, green, blue, alpha))  # type: ignore[no-any-return]
+        return m.recorder("glColor4ui", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
         m.red = (red & 4294967295) / 4294967295.0
         m.green = (green & 4294967295) / 4294967295.0
         m.blue = (blue & 4294967295) / 4294967295.0
         m.alpha = (alpha & 4294967295) / 4294967295.0
     except BAD as error:
-        raise _misuse("glColor4ui", (red, green, blue, alpha), error) from None
+        again(error, "glColor4ui", (red, green, blue, alpha))
 
 
-def glColor4uiv(v: Numbers) -> None:
+def glColor4uiv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glColor4uiv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glColor4uiv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         red, green, blue, alpha = v
         m.red = (red & 4294967295) / 4294967295.0
@@ -858,340 +845,340 @@ def glColor4uiv(v: Numbers) -> None:
         m.blue = (blue & 4294967295) / 4294967295.0
         m.alpha = (alpha & 4294967295) / 4294967295.0
     except BAD as error:
-        raise _misuse("glColor4uiv", (v,), error) from None
+        again(error, "glColor4uiv", (v,))
 
 
-def glTexCoord1s(s: int) -> None:
+def glTexCoord1s(s: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord1s", (s,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord1s", (s,) if surplus is None else (s, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord1s", (s,), error) from None
+        again(error, "glTexCoord1s", (s,))
 
 
-def glTexCoord1sv(v: Numbers) -> None:
+def glTexCoord1sv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord1sv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord1sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s = _first(v)
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord1sv", (v,), error) from None
+        again(error, "glTexCoord1sv", (v,))
 
 
-def glTexCoord1i(s: int) -> None:
+def glTexCoord1i(s: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord1i", (s,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord1i", (s,) if surplus is None else (s, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord1i", (s,), error) from None
+        again(error, "glTexCoord1i", (s,))
 
 
-def glTexCoord1iv(v: Numbers) -> None:
+def glTexCoord1iv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord1iv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord1iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s = _first(v)
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord1iv", (v,), error) from None
+        again(error, "glTexCoord1iv", (v,))
 
 
-def glTexCoord1f(s: float) -> None:
+def glTexCoord1f(s: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord1f", (s,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord1f", (s,) if surplus is None else (s, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord1f", (s,), error) from None
+        again(error, "glTexCoord1f", (s,))
 
 
-def glTexCoord1fv(v: Numbers) -> None:
+def glTexCoord1fv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord1fv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord1fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s = _first(v)
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord1fv", (v,), error) from None
+        again(error, "glTexCoord1fv", (v,))
 
 
-def glTexCoord1d(s: float) -> None:
+def glTexCoord1d(s: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord1d", (s,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord1d", (s,) if surplus is None else (s, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord1d", (s,), error) from None
+        again(error, "glTexCoord1d", (s,))
 
 
-def glTexCoord1dv(v: Numbers) -> None:
+def glTexCoord1dv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord1dv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord1dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s = _first(v)
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord1dv", (v,), error) from None
+        again(error, "glTexCoord1dv", (v,))
 
 
-def glTexCoord2s(s: int, t: int) -> None:
+def glTexCoord2s(s: int, t: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord2s", (s, t))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord2s", (s, t) if surplus is None else (s, t, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord2s", (s, t), error) from None
+        again(error, "glTexCoord2s", (s, t))
 
 
-def glTexCoord2sv(v: Numbers) -> None:
+def glTexCoord2sv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord2sv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord2sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s, t = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord2sv", (v,), error) from None
+        again(error, "glTexCoord2sv", (v,))
 
 
-def glTexCoord2i(s: int, t: int) -> None:
+def glTexCoord2i(s: int, t: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord2i", (s, t))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord2i", (s, t) if surplus is None else (s, t, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord2i", (s, t), error) from None
+        again(error, "glTexCoord2i", (s, t))
 
 
-def glTexCoord2iv(v: Numbers) -> None:
+def glTexCoord2iv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord2iv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord2iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s, t = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord2iv", (v,), error) from None
+        again(error, "glTexCoord2iv", (v,))
 
 
-def glTexCoord2f(s: float, t: float) -> None:
+def glTexCoord2f(s: float, t: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord2f", (s, t))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord2f", (s, t) if surplus is None else (s, t, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord2f", (s, t), error) from None
+        again(error, "glTexCoord2f", (s, t))
 
 
-def glTexCoord2fv(v: Numbers) -> None:
+def glTexCoord2fv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord2fv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord2fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s, t = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord2fv", (v,), error) from None
+        again(error, "glTexCoord2fv", (v,))
 
 
-def glTexCoord2d(s: float, t: float) -> None:
+def glTexCoord2d(s: float, t: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord2d", (s, t))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord2d", (s, t) if surplus is None else (s, t, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord2d", (s, t), error) from None
+        again(error, "glTexCoord2d", (s, t))
 
 
-def glTexCoord2dv(v: Numbers) -> None:
+def glTexCoord2dv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord2dv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord2dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s, t = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord2dv", (v,), error) from None
+        again(error, "glTexCoord2dv", (v,))
 
 
-def glTexCoord3s(s: int, t: int, r: int) -> None:
+def glTexCoord3s(s: int, t: int, r: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord3s", (s, t, r))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord3s", (s, t, r) if surplus is None else (s, t, r, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord3s", (s, t, r), error) from None
+        again(error, "glTexCoord3s", (s, t, r))
 
 
-def glTexCoord3sv(v: Numbers) -> None:
+def glTexCoord3sv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord3sv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord3sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s, t, r = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord3sv", (v,), error) from None
+        again(error, "glTexCoord3sv", (v,))
 
 
-def glTexCoord3i(s: int, t: int, r: int) -> None:
+def glTexCoord3i(s: int, t: int, r: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord3i", (s, t, r))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord3i", (s, t, r) if surplus is None else (s, t, r, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord3i", (s, t, r), error) from None
+        again(error, "glTexCoord3i", (s, t, r))
 
 
-def glTexCoord3iv(v: Numbers) -> None:
+def glTexCoord3iv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord3iv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord3iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s, t, r = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord3iv", (v,), error) from None
+        again(error, "glTexCoord3iv", (v,))
 
 
-def glTexCoord3f(s: float, t: float, r: float) -> None:
+def glTexCoord3f(s: float, t: float, r: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord3f", (s, t, r))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord3f", (s, t, r) if surplus is None else (s, t, r, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord3f", (s, t, r), error) from None
+        again(error, "glTexCoord3f", (s, t, r))
 
 
-def glTexCoord3fv(v: Numbers) -> None:
+def glTexCoord3fv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord3fv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord3fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s, t, r = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord3fv", (v,), error) from None
+        again(error, "glTexCoord3fv", (v,))
 
 
-def glTexCoord3d(s: float, t: float, r: float) -> None:
+def glTexCoord3d(s: float, t: float, r: float, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord3d", (s, t, r))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord3d", (s, t, r) if surplus is None else (s, t, r, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord3d", (s, t, r), error) from None
+        again(error, "glTexCoord3d", (s, t, r))
 
 
-def glTexCoord3dv(v: Numbers) -> None:
+def glTexCoord3dv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord3dv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord3dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s, t, r = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        raise _misuse("glTexCoord3dv", (v,), error) from None
+        again(error, "glTexCoord3dv", (v,))
 
 
-def glTexCoord4s(s: int, t: int, r: int, q: int) -> None:
+def glTexCoord4s(s: int, t: int, r: int, q: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord4s", (s, t, r, q))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord4s", (s, t, r, q) if surplus is None else (s, t, r, q, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
-        raise _misuse("glTexCoord4s", (s, t, r, q), error) from None
+        again(error, "glTexCoord4s", (s, t, r, q))
 
 
-def glTexCoord4sv(v: Numbers) -> None:
+def glTexCoord4sv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord4sv", (v,))  # type: ignore[no-any-return]
-    try:
-        s, t, r, q = v
-        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
-    except BAD as error:
-        raise _misuse("glTexCoord4sv", (v,), error) from None
-
-
-def glTexCoord4i(s: int, t: int, r: int, q: int) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glTexCoord4i", (s, t, r, q))  # type: ignore[no-any-return]
-    try:
-        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
-    except BAD as error:
-        raise _misuse("glTexCoord4i", (s, t, r, q), error) from None
-
-
-def glTexCoord4iv(v: Numbers) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glTexCoord4iv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord4sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s, t, r, q = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
-        raise _misuse("glTexCoord4iv", (v,), error) from None
+        again(error, "glTexCoord4sv", (v,))
 
 
-def glTexCoord4f(s: float, t: float, r: float, q: float) -> None:
+def glTexCoord4i(s: int, t: int, r: int, q: int, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord4f", (s, t, r, q))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord4i", (s, t, r, q) if surplus is None else (s, t, r, q, surplus))  # type: ignore[no-any-return]
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
-        raise _misuse("glTexCoord4f", (s, t, r, q), error) from None
+        again(error, "glTexCoord4i", (s, t, r, q))
 
 
-def glTexCoord4fv(v: Numbers) -> None:
+def glTexCoord4iv(v: Numbers, surplus: Any = None) -> None:
     m = current
     if m.recorder:
-        return m.recorder("glTexCoord4fv", (v,))  # type: ignore[no-any-return]
-    try:
-        s, t, r, q = v
-        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
-    except BAD as error:
-        raise _misuse("glTexCoord4fv", (v,), error) from None
-
-
-def glTexCoord4d(s: float, t: float, r: float, q: float) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glTexCoord4d", (s, t, r, q))  # type: ignore[no-any-return]
-    try:
-        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
-    except BAD as error:
-        raise _misuse("glTexCoord4d", (s, t, r, q), error) from None
-
-
-def glTexCoord4dv(v: Numbers) -> None:
-    m = current
-    if m.recorder:
-        return m.recorder("glTexCoord4dv", (v,))  # type: ignore[no-any-return]
+        return m.recorder("glTexCoord4iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
         s, t, r, q = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
-        raise _misuse("glTexCoord4dv", (v,), error) from None
+        again(error, "glTexCoord4iv", (v,))
+
+
+def glTexCoord4f(s: float, t: float, r: float, q: float, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glTexCoord4f", (s, t, r, q) if surplus is None else (s, t, r, q, surplus))  # type: ignore[no-any-return]
+    try:
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
+    except BAD as error:
+        again(error, "glTexCoord4f", (s, t, r, q))
+
+
+def glTexCoord4fv(v: Numbers, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glTexCoord4fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
+    try:
+        s, t, r, q = v
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
+    except BAD as error:
+        again(error, "glTexCoord4fv", (v,))
+
+
+def glTexCoord4d(s: float, t: float, r: float, q: float, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glTexCoord4d", (s, t, r, q) if surplus is None else (s, t, r, q, surplus))  # type: ignore[no-any-return]
+    try:
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
+    except BAD as error:
+        again(error, "glTexCoord4d", (s, t, r, q))
+
+
+def glTexCoord4dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
+    if m.recorder:
+        return m.recorder("glTexCoord4dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
+    try:
+        s, t, r, q = v
+        m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
+    except BAD as error:
+        again(error, "glTexCoord4dv", (v,))

@@ -79,10 +79,9 @@ def glShadeModel(m: Machine, mode: int) -> None:
 def glMaterial(m: Machine, face: int, pname: int, params: Any) -> None:
     change = CHANGES.get(pname)
     if change is None:
-        if pname == GL_COLOR_INDEXES:
-            raise NotImplementedError(
-                "glMaterial(GL_COLOR_INDEXES): colour-index mode is not emulated; use RGBA colours"
-            )
+        if pname == GL_COLOR_INDEXES and face in (GL_FRONT, GL_BACK, GL_FRONT_AND_BACK):
+            exactly(params, 3, "GL_COLOR_INDEXES")  # for colour-index mode, which no context has
+            return
         expected = "GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION or GL_SHININESS"
         raise invalid_enum("pname", pname, expected)
     if face not in (GL_FRONT, GL_BACK, GL_FRONT_AND_BACK):

@@ -97,7 +97,7 @@ def _compiled(recorder: ListRecorder, first: int, end: int) -> list[Item]:
 
 def glCallList(m: Machine, n: int) -> None:
     """A list that does not exist is ignored, as is what lies deeper than GL_MAX_LIST_NESTING."""
-    items = m.lists.get(n)
+    items = m.lists.get(int(n))
     if items is None or m.nesting >= MAX_LIST_NESTING:
         return
     m.nesting += 1
@@ -195,4 +195,4 @@ def glDeleteLists(m: Machine, list: int, range: int) -> None:
 
 
 def glIsList(m: Machine, list: int) -> int:
-    return int(list in m.lists)
+    return int(int(list) in m.lists)

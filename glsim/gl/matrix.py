@@ -93,7 +93,7 @@ def _check_box(left: float, right: float, bottom: float, top: float, near: float
         (bottom, top, "bottom and top"),
         (near, far, "zNear and zFar"),
     ):
-        if a == b:
+        if float(a) == float(b):
             raise invalid_value(names, (a, b), "two different numbers")
 
 

@@ -36,7 +36,6 @@ from glsim.machine.constants import (
     GL_MAP_COLOR,
     GL_MAP_STENCIL,
     GL_NONE,
-    GL_PACK_ALIGNMENT,
     GL_PIXEL_MAP_I_TO_I,
     GL_PIXEL_MAP_S_TO_S,
     GL_RED_BIAS,
@@ -44,7 +43,6 @@ from glsim.machine.constants import (
     GL_RIGHT,
     GL_STENCIL,
     GL_STENCIL_INDEX,
-    GL_UNPACK_ALIGNMENT,
 )
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Pixels
@@ -64,7 +62,7 @@ from glsim.machine.pixels import (
     transferred,
     unpack,
 )
-from glsim.machine.types import DTYPES
+from glsim.machine.types import DTYPES, fill, plain
 
 LARGEST_RECTANGLE = 16384
 MOST_PIXELS = 1 << 26  # of a rectangle, if the picture itself has not more
@@ -80,15 +78,14 @@ def glPixelStore(m: Machine, pname: int, param: float) -> None:
     fields = UNPACK_FIELDS if pname in UNPACK_FIELDS else PACK_FIELDS
     if pname not in fields:
         raise invalid_enum("pname", pname, "GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH or another way to store pixels")
-    if pname in (GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT):
-        if param not in (1, 2, 4, 8):
-            raise invalid_value("param", param, "1, 2, 4 or 8")
-    elif param < 0:
+    field = fields[pname]
+    value: Any = param != 0.0 if field in ("swap_bytes", "lsb_first") else int(np.floor(param + 0.5))
+    if field == "alignment" and value not in (1, 2, 4, 8):
+        raise invalid_value("param", param, "1, 2, 4 or 8")
+    if value < 0:
         raise invalid_value("param", param, "at least 0")
     store = m.unpack_store if fields is UNPACK_FIELDS else m.pack_store
-    field = fields[pname]
-    kind: Any = bool if field in ("swap_bytes", "lsb_first") else int
-    store = store._replace(**{field: kind(param)})
+    store = store._replace(**{field: value})
     if fields is UNPACK_FIELDS:
         m.unpack_store = store
     else:
@@ -181,10 +178,7 @@ def _get_pixel_map(m: Machine, map: int, values: Any, one: float, dtype: type) -
     if map not in (GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S):
         table = table * one
     found: Any = table.astype(dtype)
-    if values is None:
-        return found
-    np.asarray(values).reshape(-1)[: len(found)] = found
-    return values
+    return found if values is None else fill(values, found)
 
 
 def glPixelZoom(m: Machine, zx: float, zy: float) -> None:
@@ -290,6 +284,11 @@ def glReadPixels(
         raise invalid_enum("type", type, "GL_UNSIGNED_BYTE or another number type")
     if m.pixel.read_buffer == GL_NONE and format not in (GL_DEPTH_COMPONENT, GL_STENCIL_INDEX):
         raise invalid_operation("glReadBuffer(GL_NONE) left no colours to read")
+    for buffer, wanted in (("depth", GL_DEPTH_COMPONENT), ("stencil", GL_STENCIL_INDEX)):
+        if format == wanted and m.device.describe().get(f"{buffer}_bits") == 0:
+            raise invalid_operation(
+                f"the window has no {buffer} buffer: add GLUT_{buffer.upper()} to glutInitDisplayMode"
+            )
     rectangle = int(x), int(y), int(width), int(height)
     m.flush()
     if format == GL_DEPTH_COMPONENT:
@@ -300,7 +299,7 @@ def glReadPixels(
         values = pack_colors(format, type, transferred(m.pixel, m.device.read(*rectangle, "color")))
     if array is None:
         return deliver(values, type, None, outputType)
-    view = np.asarray(array)
+    view = np.asarray(plain(array, values.size))
     if not (view.flags.c_contiguous and view.flags.writeable) or isinstance(array, (list, tuple, bytes)):
         raise TypeError("array must be a writable NumPy array or bytearray")
     if values.size:

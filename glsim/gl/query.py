@@ -15,11 +15,12 @@ from glsim.gl.pixels import BIASES, MAX_PIXEL_MAP_TABLE, SCALES
 from glsim.gl.raster import LARGEST_LINE, LARGEST_POINT
 from glsim.gl.select import MAX_NAME_STACK_DEPTH, render_mode
 from glsim.machine import constants as gl
-from glsim.machine.errors import invalid_enum
+from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.machine import ATTRIB_STACK_DEPTH, MAX_LIST_NESTING, STACK_DEPTH, Machine
 from glsim.machine.pixels import MAPS, PACK_FIELDS, UNPACK_FIELDS
 from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS, TEXTURE_UNITS
 from glsim.machine.texture import MAX_3D_TEXTURE_SIZE, MAX_TEXTURE_SIZE
+from glsim.machine.types import fill
 
 Getter = Callable[[Machine], Any]
 
@@ -29,7 +30,7 @@ COLOURS = {
     gl.GL_DEPTH_CLEAR_VALUE, gl.GL_DEPTH_RANGE, gl.GL_CURRENT_SECONDARY_COLOR,
     gl.GL_AMBIENT, gl.GL_DIFFUSE, gl.GL_SPECULAR, gl.GL_EMISSION, gl.GL_FOG_COLOR, gl.GL_BLEND_COLOR,
     gl.GL_TEXTURE_ENV_COLOR, gl.GL_TEXTURE_BORDER_COLOR,
-    gl.GL_ALPHA_TEST_REF,
+    gl.GL_ALPHA_TEST_REF, gl.GL_CURRENT_RASTER_COLOR, gl.GL_ACCUM_CLEAR_VALUE,
 }  # fmt: skip
 
 
@@ -88,8 +89,8 @@ GETTERS: dict[int, Getter] = {
     gl.GL_BLUE_BITS: lambda m: 8,
     gl.GL_ALPHA_BITS: lambda m: 8,
     gl.GL_INDEX_BITS: lambda m: 0,
-    gl.GL_DEPTH_BITS: lambda m: 24,
-    gl.GL_STENCIL_BITS: lambda m: 8,
+    gl.GL_DEPTH_BITS: lambda m: m.device.describe().get("depth_bits", 24),
+    gl.GL_STENCIL_BITS: lambda m: m.device.describe().get("stencil_bits", 8),
     gl.GL_SUBPIXEL_BITS: lambda m: 8,
     gl.GL_SAMPLES: lambda m: m.device.describe().get("samples", 0),
     gl.GL_SAMPLE_BUFFERS: lambda m: int(m.device.describe().get("samples", 0) > 0),
@@ -201,6 +202,9 @@ GETTERS: dict[int, Getter] = {
     gl.GL_MAX_ATTRIB_STACK_DEPTH: lambda m: ATTRIB_STACK_DEPTH,
     gl.GL_CLIENT_ATTRIB_STACK_DEPTH: lambda m: len(m.client_attrib_stack),
     gl.GL_MAX_CLIENT_ATTRIB_STACK_DEPTH: lambda m: ATTRIB_STACK_DEPTH,
+    gl.GL_MAJOR_VERSION: lambda m: 1,
+    gl.GL_MINOR_VERSION: lambda m: 5,
+    gl.GL_NUM_EXTENSIONS: lambda m: len(EXTENSIONS.split()),
     gl.GL_LIST_BASE: lambda m: m.list_base,
     gl.GL_MAX_LIST_NESTING: lambda m: MAX_LIST_NESTING,
 }
@@ -262,14 +266,7 @@ def answer(values: Any, kind: str, colour: bool = False) -> Any:
 
 def into(array: Any, values: Any) -> Any:
     """``values``, or ``array`` filled with them if the program gave one."""
-    if array is None:
-        return values
-    if isinstance(array, list):
-        array[: np.size(values)] = np.ravel(values).tolist()
-        return array
-    view = np.asarray(array)
-    view.reshape(-1)[: np.size(values)] = np.ravel(values)
-    return array
+    return values if array is None else fill(array, values)
 
 
 def glGetBooleanv(m: Machine, pname: int, params: Any = None) -> Any:
@@ -317,7 +314,7 @@ def glGetError(m: Machine) -> int:
 
 
 # glsim's own, and those that became part of OpenGL 1.1 to 1.5
-EXTENSIONS = (
+EXTENSIONS: bytes = (
     b"GL_WIN_phong_shading GL_GLSIM_specular_lobe GL_GLSIM_back_lighting GL_ARB_depth_texture "
     b"GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_point_parameters GL_ARB_shadow GL_ARB_texture_border_clamp "
     b"GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar "
@@ -329,6 +326,12 @@ EXTENSIONS = (
 )
 
 
+# OpenGL 1.5 has no shading language.  Programs of later versions print this string, or compare its number.
+NO_SHADING_LANGUAGE = (
+    b"0.0 none: OpenGL 1.5 has no shaders; glsim.program_source() shows the GLSL that glsim draws with"
+)
+
+
 def glGetString(m: Machine, name: int) -> bytes:
     """As bytes, like PyOpenGL."""
     info = m.device.describe()
@@ -337,9 +340,21 @@ def glGetString(m: Machine, name: int) -> bytes:
     if name == gl.GL_RENDERER:
         return f"glsim on {info['renderer']}".encode()
     if name == gl.GL_VERSION:
-        from glsim import __version__
+        from glsim.version import __version__
 
         return f"1.5 glsim {__version__} on OpenGL {info['version']}".encode()
     if name == gl.GL_EXTENSIONS:
         return EXTENSIONS
+    if name == gl.GL_SHADING_LANGUAGE_VERSION:
+        return NO_SHADING_LANGUAGE
     raise invalid_enum("name", name, "GL_VENDOR, GL_RENDERER, GL_VERSION or GL_EXTENSIONS")
+
+
+def glGetStringi(m: Machine, name: int, index: int) -> bytes:
+    """The extensions one by one, from 0 to GL_NUM_EXTENSIONS - 1."""
+    if name != gl.GL_EXTENSIONS:
+        raise invalid_enum("name", name, "GL_EXTENSIONS")
+    names = EXTENSIONS.split()
+    if not 0 <= index < len(names):
+        raise invalid_value("index", index, f"from 0 to {len(names) - 1}")
+    return names[int(index)]

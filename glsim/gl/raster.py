@@ -9,7 +9,9 @@ import numpy as np
 from glsim.gl.arguments import exactly, numbers
 from glsim.machine.constants import (
     GL_BACK,
+    GL_BITMAP,
     GL_CCW,
+    GL_COLOR_INDEX,
     GL_CW,
     GL_FILL,
     GL_FRONT,
@@ -23,6 +25,8 @@ from glsim.machine.constants import (
 )
 from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.machine import Machine
+from glsim.machine.pixels import unpack
+from glsim.machine.types import raw_bytes
 
 LARGEST_POINT = 255.0
 LARGEST_LINE = 255.0
@@ -92,13 +96,11 @@ def glPolygonOffset(m: Machine, factor: float, units: float) -> None:
 
 
 def glPolygonStipple(m: Machine, mask: Any) -> None:
-    """mask: 128 bytes, rows from the bottom, or PyOpenGL's (32, 32) array of ones and zeros."""
-    array = np.frombuffer(mask, np.uint8) if isinstance(mask, (bytes, bytearray)) else np.asarray(numbers(mask))
-    if array.size == 1024:
-        array = np.packbits(array.reshape(32, 32) != 0, axis=1)
-    if array.size < 128:
-        raise ValueError(f"mask needs 128 bytes, not {array.size}")
-    rows = array.ravel()[:128].astype(np.uint8).view(">u4").tolist()
+    """mask: a bitmap of 32 x 32 pixels, rows from the bottom, or PyOpenGL's (32, 32) array of ones and zeros."""
+    bits = np.asarray(numbers(mask)) if raw_bytes(mask) is None and np.size(mask) == 1024 else None
+    if bits is None:
+        bits = unpack(m.unpack_store, (32, 32), GL_COLOR_INDEX, GL_BITMAP, mask)
+    rows = np.packbits(bits.reshape(32, 32) != 0, axis=1).view(">u4").ravel().tolist()
     m.polygon_stipple = m.polygon_stipple._replace(rows=tuple(rows))
 
 

@@ -8,10 +8,10 @@ import numpy as np
 
 from glsim.gl.immediate import row
 from glsim.gl.select import raster_hit
-from glsim.gl.stage import vertex_stage, window
 from glsim.machine.constants import GL_FOG_COORDINATE, GL_POINTS
 from glsim.machine.frame import ROW, Draw, Vertices
 from glsim.machine.machine import Machine
+from glsim.machine.stage import vertex_stage, window
 from glsim.machine.state import TEXTURE_UNITS, RasterPosition
 
 

@@ -13,8 +13,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.gl.stage import vertex_stage, window
 from glsim.machine.assembly import complete, corners, counterclockwise, outlines
+from glsim.machine.clipping import BOUNDARY, INTERIOR, VIEW_PLANES, clipped, edge_kinds
+from glsim.machine.clipping import distances as clip_distances
 from glsim.machine.constants import (
     GL_2D,
     GL_3D,
@@ -27,9 +28,9 @@ from glsim.machine.constants import (
     GL_COPY_PIXEL_TOKEN,
     GL_DRAW_PIXEL_TOKEN,
     GL_FEEDBACK,
+    GL_FILL,
     GL_FLAT,
     GL_FRONT,
-    GL_LINE,
     GL_LINE_LOOP,
     GL_LINE_RESET_TOKEN,
     GL_LINE_TOKEN,
@@ -51,6 +52,7 @@ from glsim.machine.errors import (
 )
 from glsim.machine.frame import Draw, Packet, Pixels
 from glsim.machine.machine import Machine
+from glsim.machine.stage import vertex_stage, window
 from glsim.machine.state import RasterPosition
 
 Float = NDArray[np.float64]
@@ -320,40 +322,14 @@ def _shapes(draw: Draw) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
     return numbers[shapes], numbers[provoking]
 
 
-def _distances(draw: Draw, clip: Float, eye: Float) -> Float:
-    """Signed distances (n, p) from the planes of the clip volume; negative is outside."""
-    x, y, z, w = clip.T
-    planes = [w + x, w - x, w + y, w - y, w + z, w - z]
-    transform = draw.state.transform
-    for plane, enabled in zip(transform.clip_planes, transform.clip_enabled, strict=True):
-        if enabled:
-            planes.append(eye @ np.array(plane))
-    return np.stack(planes, axis=1)
-
-
 def _culled(draw: Draw, front: bool) -> bool:
     polygon = draw.state.polygon
     return polygon.cull and polygon.cull_face not in (GL_BACK if front else GL_FRONT,)
 
 
-def _clipped(rows: Float, distances: Float, kind: int) -> Float:
-    """What is left of one primitive: rows (k, c) cut where a distance (k, p) is negative (Sutherland and Hodgman)."""
-    both = np.concatenate([rows, distances], axis=1)
-    width = rows.shape[1]
-    for plane in range(width, both.shape[1]):
-        if not len(both):
-            break
-        kept = []
-        last = len(both) if kind == 3 else len(both) - 1
-        for k in range(len(both)):
-            a, b = both[k], both[(k + 1) % len(both)]
-            if a[plane] >= 0.0:
-                kept.append(a)
-            if k < last and (a[plane] >= 0.0) != (b[plane] >= 0.0):
-                t = a[plane] / (a[plane] - b[plane])
-                kept.append(a + t * (b - a))
-        both = np.array(kept).reshape(-1, both.shape[1])
-    return both[:, :width]
+def _left(rows: Float, distances: Float, kind: int) -> Float:
+    """What clipping leaves of one primitive with this many corners."""
+    return clipped(rows, distances, np.full(len(rows), BOUNDARY) if kind == 3 else None).rows
 
 
 # ---------------------------------------------------------------- selection
@@ -366,7 +342,7 @@ def select(selection: Selection, draw: Draw) -> None:
         return
     chosen, places = np.unique(shapes, return_inverse=True)
     stage = vertex_stage(draw, chosen.astype(np.uint32), 0, colors=False)
-    distances = _distances(draw, stage.clip, stage.eye)
+    distances = clip_distances(stage.clip, stage.eye, draw.state.transform)
     places = places.reshape(shapes.shape)
     outside = np.less(distances[places], 0.0)  # (primitives, corners, planes)
     whole: NDArray[np.bool_] = np.logical_not(np.any(outside, axis=(1, 2)))
@@ -381,7 +357,7 @@ def select(selection: Selection, draw: Draw) -> None:
         seen = depth[places[whole]]
         selection.note(float(seen.min()), float(seen.max()))
     for k in np.flatnonzero(partly):
-        left = _clipped(stage.clip[places[k]], distances[places[k]], kind)
+        left = _left(stage.clip[places[k]], distances[places[k]], kind)
         if len(left):
             seen = window(left, draw.state.viewport)[:, 2]
             selection.note(float(seen.min()), float(seen.max()))
@@ -418,10 +394,11 @@ def _primitives(draw: Draw) -> Iterator[Primitive]:
         return
     chosen, places = np.unique(np.concatenate([shapes.ravel(), provoking]), return_inverse=True)
     stage = vertex_stage(draw, chosen.astype(np.uint32), 1)
-    distances = _distances(draw, stage.clip, stage.eye)
+    distances = clip_distances(stage.clip, stage.eye, draw.state.transform)
     kind, polygon = corners(draw.mode), draw.state.polygon
     flat = draw.state.lighting.shade_model == GL_FLAT
     fronts = np.ones(len(shapes), bool)
+    edges = edge_kinds(draw, shapes) if kind == 3 else shapes
     rings, last = places[: shapes.size].reshape(shapes.shape), places[shapes.size :]
     if kind == 3:
         fronts = np.equal(counterclockwise(stage.clip[rings]), polygon.front_face == GL_CCW)
@@ -434,13 +411,12 @@ def _primitives(draw: Draw) -> Iterator[Primitive]:
         rows = np.concatenate([stage.clip[ring], color, stage.texcoords[0][ring]], axis=1)
         mode = polygon.front_mode if front else polygon.back_mode
         reset = draw.mode == GL_LINES or number == 0
-        if kind == 3 and mode == GL_POINT:
-            parts = [(1, [k]) for k in range(len(ring))]
-        elif kind == 3 and mode == GL_LINE:
-            parts = [(2, [k, (k + 1) % len(ring)]) for k in range(len(ring))]
-        else:
-            parts = [(kind, list(range(len(ring))))]
-        for k, (size, part) in enumerate(parts):
-            left = _clipped(rows[part], distances[ring][part], size)
-            if len(left) >= size:
-                yield Primitive(size, left, reset and k == 0)
+        if kind != 3 or mode == GL_FILL:
+            left = _left(rows, distances[ring], kind)
+            if len(left) >= kind:
+                yield Primitive(kind, left, reset)
+            continue
+        outline = clipped(rows, distances[ring], edges[number], VIEW_PLANES)
+        for n, k in enumerate(np.flatnonzero(outline.edges != INTERIOR)):
+            ends = [k] if mode == GL_POINT else [k, (k + 1) % len(outline.rows)]
+            yield Primitive(len(ends), outline.rows[ends], reset and n == 0)

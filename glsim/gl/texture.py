@@ -15,6 +15,7 @@ from glsim.machine.constants import (
     GL_CLAMP,
     GL_CLAMP_TO_BORDER,
     GL_CLAMP_TO_EDGE,
+    GL_COLOR_INDEX,
     GL_COMPARE_R_TO_TEXTURE,
     GL_DEPTH_COMPONENT,
     GL_DEPTH_TEXTURE_MODE,
@@ -36,7 +37,6 @@ from glsim.machine.constants import (
     GL_PROXY_TEXTURE_3D,
     GL_PROXY_TEXTURE_CUBE_MAP,
     GL_REPEAT,
-    GL_RGB,
     GL_TEXTURE_1D,
     GL_TEXTURE_2D,
     GL_TEXTURE_3D,
@@ -94,9 +94,10 @@ from glsim.machine.texture import (
     Images,
     Sampler,
     Texture,
+    in_base_format,
     mipmaps,
 )
-from glsim.machine.types import DTYPES
+from glsim.machine.types import DTYPES, fill
 
 # what glBindTexture takes -> kind of texture
 TARGETS: dict[int, int] = {GL_TEXTURE_1D: 1, GL_TEXTURE_2D: 2, GL_TEXTURE_3D: 3, GL_TEXTURE_CUBE_MAP: CUBE}
@@ -211,8 +212,7 @@ def free_name(m: Machine, what: str, name: int) -> None:
 def given_names(names: Sequence[int], array: Any) -> Any:
     """Names as PyOpenGL returns them."""
     if array is not None:
-        np.asarray(array).reshape(-1)[: len(names)] = names
-        return array
+        return fill(array, names)
     return np.uint32(names[0]) if len(names) == 1 else np.array(names, np.uint32)
 
 
@@ -254,11 +254,14 @@ def glBindTexture(m: Machine, target: int, texture: int) -> None:
 
 def glAreTexturesResident(m: Machine, n: Any, textures: Any = None, residences: Any = None) -> Any:
     """All are.  As PyOpenGL: glAreTexturesResident(names) or (n, names), an array with one flag each."""
-    count = len(names_from(n, textures))
+    names = names_from(n, textures)
+    for name in names:
+        if not glIsTexture(m, name):
+            raise invalid_value("textures", name, "names of textures")
+    count = len(names)
     if residences is None:
         return np.ones(count, np.uint8)
-    np.asarray(residences).reshape(-1)[:count] = 1
-    return residences
+    return fill(residences, [1] * count)
 
 
 def glPrioritizeTextures(m: Machine, n: int, textures: Any, priorities: Any) -> None:
@@ -296,44 +299,41 @@ def _check_image(kind: int, level: int, internalformat: int, border: int, size: 
     if border not in (0, 1):
         raise invalid_value("border", border, "0 or 1")
     for length in size:
-        if not 2 * border <= length <= _largest(kind) + 2 * border:
-            raise invalid_value("the size", length, f"from {2 * border} to {_largest(kind) + 2 * border}")
-    if kind == CUBE and size[0] != size[1]:
-        raise invalid_value("the size", tuple(size), "square for the faces of a cube map")
+        if length < 2 * border:
+            raise invalid_value("the size", length, f"at least {2 * border}")
     if kind in (3, CUBE) and BASE_FORMATS[internalformat] == GL_DEPTH_COMPONENT:
         raise invalid_operation("a depth texture must have one or two dimensions")
 
 
-def in_base_format(texels: Any, base: int) -> Any:
-    """Red, green, blue, alpha as a base internal format keeps them."""
-    result = texels.copy()
-    if base in (GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY):
-        result[..., :3] = texels[..., :1]
-    if base == GL_INTENSITY:
-        result[..., 3] = texels[..., 0]
-    elif base in (GL_LUMINANCE, GL_RGB):
-        result[..., 3] = 255
-    elif base == GL_ALPHA:
-        result[..., :3] = 0
-    return result
+def _check_room(kind: int, border: int, size: Sequence[int]) -> None:
+    """What a proxy texture is asked: whether there can be an image of this size."""
+    for length in size:
+        if length > _largest(kind) + 2 * border:
+            raise invalid_value("the size", length, f"from {2 * border} to {_largest(kind) + 2 * border}")
+    if kind == CUBE and size[0] != size[1]:
+        raise invalid_value("the size", tuple(size), "square for the faces of a cube map")
+
+
+def _check_format(internalformat: int, format: int, type: int) -> None:
+    check(format, type)
+    if (format == GL_DEPTH_COMPONENT) != (BASE_FORMATS[internalformat] == GL_DEPTH_COMPONENT):
+        raise invalid_operation("a depth texture needs format GL_DEPTH_COMPONENT, and no other texture does")
+    if format not in COMPONENTS and format not in (GL_COLOR_INDEX, GL_DEPTH_COMPONENT):
+        raise invalid_enum("format", format, "a format of colours")
 
 
 def _texels(m: Machine, internalformat: int, size: tuple[int, ...], format: int, type: int, pixels: Any) -> Any:
     """A rectangle out of the program's memory as an image keeps it; zeros if ``pixels`` is None."""
-    check(format, type)
+    _check_format(internalformat, format, type)
     base = BASE_FORMATS[internalformat]
-    if (format == GL_DEPTH_COMPONENT) != (base == GL_DEPTH_COMPONENT):
-        raise invalid_operation("a depth texture needs format GL_DEPTH_COMPONENT, and no other texture does")
     if base == GL_DEPTH_COMPONENT:
         if pixels is None:
             return np.zeros((*size, 1), np.float32)
         return depths(m.pixel, unpack(m.unpack_store, size, format, type, pixels))
-    if format not in COMPONENTS and format not in (0x1900,):  # GL_COLOR_INDEX
-        raise invalid_enum("format", format, "a format of colours")
     if pixels is None:
         return np.zeros((*size, 4), np.uint8)
     rgba = as_bytes(colors(m.pixel, format, unpack(m.unpack_store, size, format, type, pixels)))
-    return in_base_format(rgba, base)
+    return in_base_format(rgba, base, 255)
 
 
 def _define(m: Machine, kind: int, face: int, level: int, image: Image) -> None:
@@ -354,6 +354,7 @@ def _tex_image(
         return _proxy(m, PROXIES[target], level, internalformat, border, size, format, type)
     kind, face = _image_target(target, kinds)
     _check_image(kind, level, internalformat, border, size if kind != 1 else size[1:])
+    _check_room(kind, border, size if kind != 1 else size[1:])
     texels = _texels(m, internalformat, size, format, type, pixels)
     if border:  # as drivers have done for decades: the border's own texels are dropped
         inner = slice(1, -1)
@@ -365,10 +366,11 @@ def _tex_image(
 def _proxy(
     m: Machine, kind: int, level: int, internalformat: int, border: int, size: tuple[int, ...], format: int, type: int
 ) -> None:
-    """A proxy texture only answers whether the image could be."""
+    """A proxy texture answers whether there is room for the image; other errors are errors (section 3.8.11)."""
+    _check_image(kind, level, internalformat, border, size if kind != 1 else size[1:])
+    _check_format(internalformat, format, type)
     try:
-        _check_image(kind, level, internalformat, border, size if kind != 1 else size[1:])
-        check(format, type)
+        _check_room(kind, border, size if kind != 1 else size[1:])
         image = Image(np.broadcast_to(np.uint8(0), (*size, 4)), internalformat)
     except GLError:
         image = Image(np.zeros((0,) * len(size) + (4,), np.uint8), internalformat)
@@ -462,7 +464,7 @@ def _from_framebuffer(m: Machine, internalformat: int, x: int, y: int, width: in
     if base == GL_DEPTH_COMPONENT:
         return depths(m.pixel, m.device.read(x, y, width, height, "depth")[..., None])
     rgba = as_bytes(transferred(m.pixel, m.device.read(x, y, width, height, "color")))
-    return in_base_format(rgba, base)
+    return in_base_format(rgba, base, 255)
 
 
 def _copy_image(
@@ -473,6 +475,7 @@ def _copy_image(
     if internalformat in (1, 2, 3, 4):
         raise invalid_enum("internalformat", internalformat, "a named format such as GL_RGB")
     _check_image(kind, level, internalformat, border, (width,) if kind == 1 else (height, width))
+    _check_room(kind, border, (width,) if kind == 1 else (height, width))
     inner = border if kind != 1 else 0
     rectangle = x + border, y + inner, width - 2 * border, height - 2 * inner
     _define(m, kind, face, level, Image(_from_framebuffer(m, internalformat, *rectangle), internalformat))
@@ -692,8 +695,7 @@ def glGetTexImage(
 def deliver(values: Any, type: int, array: Any, outputType: Any) -> Any:
     """Pixels ([depth,] [height,] width, components) in the form that PyOpenGL returns: width first."""
     if array is not None:
-        np.copyto(np.asarray(array).reshape(values.shape), values)
-        return array
+        return fill(array, values)
     if values.dtype == np.uint8 and outputType is bytes:
         return values.tobytes()
     size = values.shape[-2::-1]

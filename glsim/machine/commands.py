@@ -11,8 +11,10 @@ Argument types are the letters of the specification's suffixes (Table 2.1 of Ope
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
+
+from glsim.machine import constants
 
 NUMBERS = ("b", "s", "i", "f", "d", "ub", "us", "ui")
 
@@ -226,8 +228,8 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command("glStencilFunc", "func:enum ref:i mask:ui")
     yield _command("glStencilOp", "sfail:enum dpfail:enum dppass:enum")
     yield _command("glDepthFunc", "func:enum")
-    yield _command("glBeginQuery", "target:enum id:ui", listed=False)
-    yield _command("glEndQuery", "target:enum", listed=False)
+    yield _command("glBeginQuery", "target:enum id:ui")
+    yield _command("glEndQuery", "target:enum")
     yield _command("glGenQueries", "n:sizei", listed=False, result="ui")
     yield _command("glDeleteQueries", "n:sizei ids:data", listed=False)
     yield _command("glBlendEquation", "mode:enum")
@@ -292,6 +294,7 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command("glIsEnabled", "cap:enum", listed=False, result="boolean")
     yield _command("glGetPointerv", "pname:enum", listed=False, result="data")
     yield _command("glGetString", "name:enum", listed=False, result="data")
+    yield _command("glGetStringi", "name:enum index:ui", listed=False, result="data")  # OpenGL 3.0
     yield _command("glGetError", listed=False, result="enum", inside=True)
     yield _command("glGetClipPlane", "plane:enum", listed=False, result="data")
     yield _get("glGetLight", "i f", "light:enum pname:enum")
@@ -319,3 +322,26 @@ COMMANDS: dict[str, Command] = {command.name: command for row in _rows() for com
 FAMILIES: dict[str, list[Command]] = {}
 for _row in COMMANDS.values():
     FAMILIES.setdefault(_row.family, []).append(_row)
+
+# ---------------------------------------------------------------- how many numbers an array argument has
+
+# named parameters of more than one number
+PARAMETER_SIZES: dict[int, int] = {int(getattr(constants, f"GL_{name}")): size for size, names in (
+    (4, "AMBIENT DIFFUSE SPECULAR EMISSION AMBIENT_AND_DIFFUSE POSITION LIGHT_MODEL_AMBIENT FOG_COLOR TEXTURE_ENV_COLOR"
+        " TEXTURE_BORDER_COLOR OBJECT_PLANE EYE_PLANE"),
+    (3, "SPOT_DIRECTION COLOR_INDEXES POINT_DISTANCE_ATTENUATION"),
+) for name in names.split()}  # fmt: skip
+# arrays whose length another argument of the same call says
+LENGTHS = {"textures": "n", "priorities": "n", "buffers": "n", "ids": "n", "lists": "n", "values": "size",
+           "indices": "count"}  # fmt: skip
+
+
+def numbers_wanted(command: Command, arguments: Sequence[object], place: int) -> int | None:
+    """How many numbers a call reads from its argument ``place``, an array; None where the command does not say."""
+    if command.size:
+        return command.size
+    if command.vector and command.parameters[place] == "params":
+        return PARAMETER_SIZES.get(arguments[place - 1], 1)  # type: ignore[call-overload,no-any-return]
+    said = LENGTHS.get(command.parameters[place])
+    length = arguments[command.parameters.index(said)] if said in command.parameters else None
+    return length if isinstance(length, int) and length >= 0 else None

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import dis
+import os
 from collections.abc import Sequence
 from ctypes import ArgumentError
 from struct import error as StructError  # noqa: N812
 from typing import Any
 
-from glsim.machine.commands import COMMANDS, NUMBERS
+from glsim.machine.commands import COMMANDS, NUMBERS, numbers_wanted
 from glsim.machine.constants import (
     GL_INVALID_ENUM,
     GL_INVALID_OPERATION,
@@ -78,6 +80,8 @@ def out_of_memory(sentence: str) -> GLError:
 def show(value: object) -> str:
     """A value as a message quotes it: never longer than a line."""
     if isinstance(value, int) and not isinstance(value, (bool, Enum)):
+        if value.bit_length() > 64:
+            return f"a number of {value.bit_length()} bits"
         return f"{value} (0x{value:X})" if value > 255 else str(value)
     text = repr(value)
     return text if len(text) <= 60 else text[:57] + "..."
@@ -87,26 +91,45 @@ def explain(error: Exception, name: str, arguments: Sequence[Any]) -> Exception:
     """Turn what a command's body raised into a sentence that names the call and the argument."""
     if isinstance(error, GLError):
         return error.during(name, arguments)
-    command = COMMANDS.get(name)
-    for (argument, kind), value in zip(command.arguments if command else (), arguments, strict=False):
-        expected = _complaint(kind, value)
+    if isinstance(error, MemoryError):
+        return out_of_memory("there is not enough memory for it").during(name, arguments)
+    said = is_a_sentence(error)
+    if said and not isinstance(error, TypeError):
+        return type(error)(f"{name}: {error}") if type(error) is ValueError else error
+    command = COMMANDS[name]
+    for place, ((argument, kind), value) in enumerate(zip(command.arguments, arguments, strict=False)):
+        expected = _complaint(kind, value, numbers_wanted(command, arguments, place) if command.vector else None)
         if expected:
             return TypeError(f"{name}: {argument} must be {expected}, not {show(value)}")
-    if type(error) in (TypeError, ValueError, OverflowError):
-        return type(error)(f"{name}: {error}")
-    if isinstance(error, IndexError):
-        return ValueError(f"{name}: too few numbers were given")
-    if isinstance(error, (StructError, ArgumentError)):
-        return TypeError(f"{name}: an argument, the current color or the current normal is not a number ({error})")
+    if said:
+        return TypeError(f"{name}: {error}")
+    if isinstance(error, MISUSE):
+        given = ", ".join(map(show, arguments))
+        return TypeError(f"{name}({', '.join(command.parameters)}) cannot be called with ({given})")
     return error
 
 
-def _complaint(kind: str, value: object) -> str:
-    """What an argument of this type should have been; empty if the value will do."""
+# what Python, NumPy and ctypes raise when they are given something they do not expect
+MISUSE = (TypeError, ValueError, ArithmeticError, LookupError, BufferError, StructError, ArgumentError)
+PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+RAISE = dis.opmap["RAISE_VARARGS"]
+
+
+def is_a_sentence(error: Exception) -> bool:
+    """Whether a ``raise`` of glsim made the error; if not, it has the words of Python, NumPy or ctypes."""
+    at = error.__traceback__
+    while at is not None and at.tb_next is not None:
+        at = at.tb_next
+    if at is None:
+        return True
+    code = at.tb_frame.f_code
+    return code.co_filename.startswith(PACKAGE) and code.co_code[at.tb_lasti] == RAISE
+
+
+def _complaint(kind: str, value: object, count: int | None) -> str:
+    """What an argument of this type should have been; empty if the value will do.  count: how many numbers of it."""
     if kind == "data":
-        if isinstance(value, str):
-            return "a list, tuple or array of numbers"
-        return ""
+        return _array_complaint(value, count)
     try:
         number = float(value)  # type: ignore[arg-type]
         if isinstance(value, (str, bytes)):
@@ -118,3 +141,20 @@ def _complaint(kind: str, value: object) -> str:
     if kind in NUMBERS and kind not in ("f", "d") and number != int(number):
         return "an integer"
     return ""
+
+
+def _array_complaint(value: Any, count: int | None) -> str:
+    import numpy as np  # so that ``glsim --help`` is quick
+
+    from glsim.machine.types import is_pointer
+
+    numbers = "a list, tuple or array of numbers" if count is None else f"a list, tuple or array of {count} numbers"
+    if is_pointer(value):
+        return f"{numbers} (a pointer of ctypes does not say how many there are)"
+    if value is None or isinstance(value, (bytes, bytearray)):
+        return "" if count is None else numbers
+    try:
+        array = np.asarray(value)
+        return "" if array.dtype.kind in "biuf" and count in (None, array.size) else numbers
+    except (TypeError, ValueError):
+        return numbers

@@ -103,7 +103,7 @@ class Draw:
     def material_changes(self) -> list[tuple[int, Material]]:
         """glMaterial between this Draw's glBegin and glEnd: (first vertex, material), the last one for each vertex."""
         changes = self.block.materials
-        if not changes or self.indices is not None:
+        if not changes:
             return []
         begin, end = (bisect_left(changes, at, key=itemgetter(0)) for at in (self.first, self.first + self.count))
         return list(dict(changes[begin:end]).items())

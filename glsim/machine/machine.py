@@ -104,12 +104,12 @@ class Machine:
     __slots__ = (  # noqa: RUF023
         # registers: current values, vertices since the last flush, what is going on
         "accum_clear", "alpha", "array_buffer", "attrib_stack", "begin_material", "blue", "buffers", "busy",
-        "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns",
-        "compiling", "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index",
-        "inside", "latest", "list_base", "lists", "lowest", "maps", "materials", "modelview", "nesting", "nx",
-        "ny", "nz", "pack_store", "packets", "pixel", "projection", "queries", "raster", "recorder", "red",
-        "selection", "several_texture_matrices", "stack", "stacks", "stream", "texcoord", "texture_names",
-        "texture_stacks", "textures", "thread", "tracks", "unpack_store", "waiting", "write", "__weakref__",
+        "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling",
+        "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest",
+        "limits", "list_base", "lists", "lowest", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz",
+        "pack_store", "packets", "pixel", "projection", "queries", "raster", "recorder", "red", "selection",
+        "several_texture_matrices", "stack", "stacks", "stream", "texcoord", "texture_names", "texture_stacks",
+        "textures", "thread", "tracks", "unpack_store", "waiting", "write", "__weakref__",
         # groups of state
         "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",
         "polygon_stipple", "scissor", "stencil", "texture", "transform", "viewport",
@@ -120,11 +120,15 @@ class Machine:
         self.thread = get_ident()  # in which it is current
         self.capturing: Frame | None = None
         self.change: Callable[[Draw], Draw] | None = None  # made of every Draw: another shade model, say
-        self.recorder: Callable[[str, tuple[Any, ...]], Any] | None = None
+        self.limits: Callable[[Packet], Packet] | None = None  # what a window that lacks buffers makes of every packet
         self.reset()
 
     def reset(self) -> None:
-        """Set every state to its initial value; what was drawn and not flushed is dropped."""
+        """Set every state to its initial value; what was drawn and not flushed is dropped.
+
+        A Frame that is being captured, and a Recorder, begin anew.
+        """
+        recorder: Any = getattr(self, "recorder", None)
         # current values, section 2.7
         self.nx, self.ny, self.nz = 0.0, 0.0, 1.0
         self.red = self.green = self.blue = self.alpha = 1.0
@@ -184,13 +188,19 @@ class Machine:
         self.stack = self.modelview
         # vertices and packets since the last flush
         self.inside: int | None = None
-        self.recorder = None
+        self.recorder: Callable[[str, tuple[Any, ...]], Any] | None = None
         self.busy = False
         self.first = 0
         self.begin_material = self.material
         self.packets: list[Packet] = []
         self.waiting = 0  # bytes of the pictures in packets
         self._new_stream()
+        if self.capturing is not None:
+            self.capturing.packets.clear()
+        recorder = getattr(recorder, "outer", recorder)  # of a display list that was being compiled
+        if recorder is not None:
+            recorder.restart()
+            self.record(recorder)
 
     def _new_stream(self) -> None:
         self.stream = io.BytesIO()
@@ -236,6 +246,8 @@ class Machine:
         self.write = _ignore
         first, end = self.first, self.stream.tell()
         count = end // ROW_BYTES - first
+        while self.materials and self.materials[-1][0] == first + count:
+            self.materials.pop()  # glMaterial after the last vertex
         self.packets.append(Draw(mode, first, count, None, self.matrices(), self.begin_material, self.snapshot()))
         if end > LARGE or len(self.packets) > MANY:
             self.flush()
@@ -293,6 +305,8 @@ class Machine:
             if self.collector is not None:
                 self.collector(packets)
                 return
+            if self.limits is not None:
+                packets = [self.limits(packet) for packet in packets]
             if self.change is not None:
                 packets = [self.change(packet) if type(packet) is Draw else packet for packet in packets]
             if self.capturing is not None:

@@ -67,7 +67,7 @@ from glsim.machine.constants import (
     GL_UNSIGNED_SHORT_5_6_5_REV,
 )
 from glsim.machine.errors import invalid_enum, invalid_operation
-from glsim.machine.types import DTYPES
+from glsim.machine.types import DTYPES, plain, raw_bytes
 
 Values = NDArray[Any]
 
@@ -194,18 +194,21 @@ def unpack(store: PixelStore, size: tuple[int, ...], format: int, type: int, pix
     return _rows(store, size, count, np.dtype(DTYPES[type]), pixels)
 
 
-def _memory(pixels: Any, dtype: np.dtype[Any]) -> NDArray[np.uint8]:
-    if isinstance(pixels, (bytes, bytearray, memoryview)):
-        return np.frombuffer(pixels, np.uint8)
-    if isinstance(pixels, str):
-        raise TypeError("pixels must be bytes or an array, not a str")
-    array = np.ascontiguousarray(pixels, None if isinstance(pixels, np.ndarray) else dtype)
-    return (array if array.dtype == dtype else array.astype(dtype)).reshape(-1).view(np.uint8)
+def _memory(pixels: Any, dtype: np.dtype[Any], count: int) -> NDArray[np.uint8]:
+    """The bytes of what a program passes; count: how many numbers are read of a pointer."""
+    memory = raw_bytes(pixels)
+    if memory is not None:
+        return memory
+    pixels = plain(pixels, count)
+    try:
+        array = np.ascontiguousarray(pixels, None if isinstance(pixels, np.ndarray) else dtype)
+        return (array if array.dtype == dtype else array.astype(dtype)).reshape(-1).view(np.uint8)
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"pixels must be bytes or an array of {dtype} numbers, not {pixels!r:.60}") from None
 
 
 def _rows(store: PixelStore, size: tuple[int, ...], count: int, dtype: np.dtype[Any], pixels: Any) -> Values:
     """Numbers (*size, count) by the rules of section 3.6.4."""
-    memory = _memory(pixels, dtype)
     *depth, height, width = size
     images = depth[0] if depth else 1
     group = count * dtype.itemsize
@@ -219,6 +222,7 @@ def _rows(store: PixelStore, size: tuple[int, ...], count: int, dtype: np.dtype[
 
     if 0 in size:
         return np.zeros((*size, count), dtype)
+    memory = _memory(pixels, dtype, -(-needed(stride) // dtype.itemsize))
     if needed(stride) > memory.size:
         stride = length * group  # rows without padding, as arrays have them
     if needed(stride) > memory.size:
@@ -234,12 +238,12 @@ def _rows(store: PixelStore, size: tuple[int, ...], count: int, dtype: np.dtype[
 
 def _bits(store: PixelStore, size: tuple[int, ...], pixels: Any) -> Values:
     """A bitmap as 0 and 1: (height, width, 1) uint8."""
-    memory = _memory(pixels, np.dtype(np.uint8))
     height, width = size[-2:]
     stride = -(-(store.row_length or width) // (8 * store.alignment)) * store.alignment
     needed = (store.skip_rows + height - 1) * stride + -(-(store.skip_pixels + width) // 8)
     if 0 in size:
         return np.zeros((height, width, 1), np.uint8)
+    memory = _memory(pixels, np.dtype(np.uint8), needed)
     if needed > memory.size:
         tight = -(-(store.row_length or width) // 8)
         stride, needed = tight, (store.skip_rows + height - 1) * tight + -(-(store.skip_pixels + width) // 8)

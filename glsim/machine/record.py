@@ -10,10 +10,13 @@ from typing import Any
 
 import numpy as np
 
-from glsim.machine.commands import COMMANDS
+from glsim.machine.commands import COMMANDS, Command, numbers_wanted
+from glsim.machine.constants import Enum
+from glsim.machine.errors import MISUSE, explain
 from glsim.machine.frame import Accum, Call, Clear, Draw, Frame, Moment, Packet, Pixels, Where
 from glsim.machine.machine import Machine
 from glsim.machine.pixels import PixelStore
+from glsim.machine.types import is_pointer, plain, raw_bytes
 
 # What executes each command; glsim.gl fills this in.
 implementations: dict[str, Callable[..., Any]] = {}
@@ -31,11 +34,16 @@ class Recorder:
         if not self.history:
             self.history.append(moment(machine, len(self.calls) - 1))
 
+    def restart(self) -> None:
+        """Forget the calls until now: the machine was reset."""
+        self.calls.clear()
+        self.history[:] = [moment(self.machine, -1)]
+
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
         if name in HOT:
             return self._hot(name, arguments)
         machine = self.machine
-        self.note(name, arguments if name in NUMBERS_ONLY else tuple(map(frozen, arguments)))
+        self.note(name, kept(name, arguments))
         packets, first = machine.packets, len(machine.packets)
         machine.recorder, machine.busy = None, machine.inside is not None
         try:
@@ -57,8 +65,7 @@ class Recorder:
             where = users_line(caller)
             if where is not None and where[:2] == (line[0].co_filename, line[1]):
                 self.lines[line] = where
-        if name not in NUMBERS_ONLY:
-            arguments = tuple(map(frozen, arguments))
+        arguments = kept(name, arguments)
         self.calls.append(new_call(Call, (name, arguments, where)))
         machine = self.machine
         machine.recorder = None
@@ -93,7 +100,7 @@ def moment(m: Machine, call: int) -> Moment:
 
 # Rooms of glsim that the user's line is not in, and its generated code.
 PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-INNER = tuple(os.path.join(PACKAGE, room, "") for room in ("gl", "glu", "glut", "machine", "render", "study"))
+INNER = tuple(os.path.join(PACKAGE, room, "") for room in ("gl", "glu", "glut", "machine", "play", "render", "study"))
 _inner: dict[str, bool] = {}
 
 
@@ -139,12 +146,11 @@ class ListRecorder:
         self.outer: Recorder | None = None
 
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
-        if name not in NUMBERS_ONLY:
-            arguments = tuple(map(frozen, arguments))
+        given, arguments = arguments, kept(name, arguments)
         if self.outer is not None:
             self.outer.note(name, arguments)
         if name in NEVER_LISTED:
-            return self._perform(name, arguments)
+            return self._perform(name, given)
         if name in ARRAY_CALLS:
             self.clients[len(self.calls)] = copied(self.machine)
         if name in PIXEL_CALLS:
@@ -172,7 +178,8 @@ REGISTERS_ONLY = {
 }
 HOT = {c.name for c in COMMANDS.values() if c.family in ("glVertex", "glNormal", "glColor", "glTexCoord")}
 NEVER_LISTED = {command.name for command in COMMANDS.values() if not command.listed}
-PIXEL_CALLS = {command.name for command in COMMANDS.values() if "pixels" in command.parameters} | {"glBitmap"}
+PIXEL_CALLS = {command.name for command in COMMANDS.values() if "pixels" in command.parameters}
+PIXEL_CALLS |= {"glBitmap", "glPolygonStipple"}
 ARRAY_CALLS = {
     "glDrawArrays", "glDrawElements", "glDrawRangeElements", "glMultiDrawArrays", "glMultiDrawElements",
     "glArrayElement",
@@ -197,8 +204,28 @@ def with_indices(machine: Machine, name: str, arguments: tuple[Any, ...]) -> tup
     """The arguments of glDrawElements with the indices themselves, if they lie in a buffer object."""
     if not machine.element_buffer or name not in ("glDrawElements", "glDrawRangeElements"):
         return arguments
-    memory = machine.buffers[machine.element_buffer].data
-    return (*arguments[:-1], memory[arguments[-1] or 0 :].tobytes())
+    memory, place = machine.buffers[machine.element_buffer].data, COMMANDS[name].parameters.index("indices")
+    return (*arguments[:place], memory[arguments[place] or 0 :].tobytes())
+
+
+PLAIN = frozenset((int, float, bool, Enum))
+
+
+def kept(name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+    """Copies of the arguments that the program cannot change later."""
+    if name in NUMBERS_ONLY and PLAIN.issuperset(map(type, arguments)):
+        return arguments
+    try:
+        return tuple(map(frozen, python_arguments(COMMANDS[name], arguments)))
+    except MISUSE as error:
+        raise explain(error, name, arguments) from None
+
+
+def python_arguments(command: Command, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The arguments of a call with Python's numbers instead of ctypes', and an array for a pointer of known length."""
+    given = tuple(map(plain, arguments))
+    wanted = [numbers_wanted(command, given, place) for place in range(min(len(command.arguments), len(given)))]
+    return (*map(plain, given, wanted), *given[len(wanted) :])
 
 
 def frozen(argument: Any) -> Any:
@@ -210,4 +237,7 @@ def frozen(argument: Any) -> Any:
         return argument
     if isinstance(argument, c_void_p):  # an offset into a buffer object
         return argument.value or 0
-    return np.array(argument)
+    if is_pointer(argument):  # of unknown length
+        return argument
+    memory = raw_bytes(argument)
+    return np.array(argument) if memory is None else memory.tobytes()

@@ -151,6 +151,20 @@ class Sampler:
     generate_mipmap: bool = False
 
 
+def in_base_format(rgba: NDArray[Any], base: int, one: float) -> NDArray[Any]:
+    """Red, green, blue, alpha (..., 4) as texels of a base internal format have them; one: what stands for 1."""
+    result = rgba.copy()
+    if base in (GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY):
+        result[..., :3] = rgba[..., :1]
+    if base == GL_INTENSITY:
+        result[..., 3] = rgba[..., 0]
+    elif base in (GL_LUMINANCE, GL_RGB):
+        result[..., 3] = one
+    elif base == GL_ALPHA:
+        result[..., :3] = 0
+    return result
+
+
 NO_IMAGES = Images()
 
 

@@ -97,6 +97,13 @@ def release_abandoned() -> None:
             opened.release()
 
 
+def _checked_size(call: str, width: int, height: int) -> tuple[int, int]:
+    for name, value in (("width", width), ("height", height)):
+        if not isinstance(value, (int, np.integer)) or not 1 <= value <= LARGEST:
+            raise ValueError(f"{call}: {name} must be an integer from 1 to {LARGEST}, not {value!r}")
+    return int(width), int(height)
+
+
 class Offscreen:
     """A context of its own that draws without a window.  Make one with ``glsim.offscreen``.
 
@@ -108,12 +115,10 @@ class Offscreen:
     def __init__(self, width: int, height: int, samples: int = 0, backend: str = "auto") -> None:
         self._released = False
         self.double_buffered = False  # what glGet(GL_DOUBLEBUFFER) says
+        self.depth_bits, self.stencil_bits = 24, 8  # 0 if the program is to find none
         refuse_fork()
         release_abandoned()
-        for name, value in (("width", width), ("height", height)):
-            if not isinstance(value, (int, np.integer)) or not 1 <= value <= LARGEST:
-                raise ValueError(f"glsim.offscreen: {name} must be an integer from 1 to {LARGEST}, not {value!r}")
-        self.width, self.height = int(width), int(height)
+        self.width, self.height = _checked_size("glsim.offscreen", width, height)
         before = current_machine()
         self._before = weakref.ref(before) if isinstance(before, Machine) else None
         self._previous: list[Any] = []
@@ -278,6 +283,8 @@ class Offscreen:
             "version": info["GL_VERSION"],
             "samples": self.samples,
             "double": self.double_buffered,
+            "depth_bits": self.depth_bits,
+            "stencil_bits": self.stencil_bits,
         }
 
     # ------------------------------------------------------------ pictures
@@ -306,12 +313,13 @@ class Offscreen:
     def resize(self, width: int, height: int) -> None:
         """Another size; the picture is black afterwards, all state stays."""
         self.check()
+        width, height = _checked_size("resize", width, height)
         self.machine.flush()
         with uninterrupted(), self.ctx:
             for depth in self._depths:  # moderngl's objects go when they are replaced
                 self._raw.glDeleteRenderbuffers(1, ctypes.byref(depth))
             self._depths.clear()
-            self.width, self.height = int(width), int(height)
+            self.width, self.height = width, height
             self._target = self._framebuffer(self.samples)
             self._resolved = self._framebuffer(0) if self.samples else self._target
             self._renderer.resize((self.width, self.height))

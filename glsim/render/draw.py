@@ -50,10 +50,11 @@ from glsim.machine.state import (
     Snapshot,
     TextureUnit,
 )
-from glsim.render.batch import Batch, Object, Plan, plans
-from glsim.render.outline import line_width, prepare
+from glsim.render.batch import MOST_OBJECTS, Batch, Object, Plan, plans
+from glsim.render.lines import line_width, margin
+from glsim.render.outline import prepare
 from glsim.render.pixels import Fragments, Reader, as_fragments, merged_bitmaps, plain_state
-from glsim.render.programs import BINDINGS, PIXELS, ProgramKey, build, program_key
+from glsim.render.programs import BINDINGS, ProgramKey, build, draw_key
 from glsim.render.raw import RawGL
 from glsim.render.textures import Textures
 
@@ -64,7 +65,7 @@ LIGHTS_SIZE = 1024
 RASTER_SIZE = 336
 TEXTURING_SIZE = 1024
 SHARED = {"Lights": LIGHTS_SIZE, "Raster": RASTER_SIZE, "Texturing": TEXTURING_SIZE}  # blocks of which there is one
-PROGRAM_POINT_SIZE, TEXTURE_CUBE_MAP_SEAMLESS = 0x8642, 0x884F
+PROGRAM_POINT_SIZE, TEXTURE_CUBE_MAP_SEAMLESS, DEPTH_CLAMP = 0x8642, 0x884F, 0x864F
 CORE_BITS = 0x4000 | 0x100 | 0x400  # colour, depth and stencil; there is no accumulation buffer in the core profile
 
 
@@ -73,11 +74,12 @@ INPUTS = {
     **{f"texcoord{unit}": ("4f", f"texcoord{unit}") for unit in range(TEXTURE_UNITS)},
     "depth_offset": ("1f", "depth_offset"),
     "position_w": ("1f", "w"),
+    "lit_position": ("4f", "lit_position"),
     "secondary_color": ("4f", "secondary_color"),
     "fog_coord": ("1f", "fog_coord"),
     "other_end": ("4f", "other_end"),
-    "line_side": ("1f", "line_side"),
-    "line_start": ("1f", "line_start"),
+    "line_corner": ("2f", "line_corner"),
+    "line_begin": ("1f", "line_begin"),
 }
 
 
@@ -137,7 +139,7 @@ class Renderer:
     def __init__(self, ctx: moderngl.Context, raw: RawGL, size: tuple[int, int]) -> None:
         self.ctx, self.raw = ctx, raw
         ctx.gc_mode = "context_gc"  # buffers of lists that are gone are released when the context is current
-        self.limit = min(ctx.info["GL_MAX_UNIFORM_BLOCK_SIZE"], 65536) // ROW_SIZE
+        self.limit = min(ctx.info["GL_MAX_UNIFORM_BLOCK_SIZE"] // ROW_SIZE, MOST_OBJECTS)
         self.programs: dict[ProgramKey, moderngl.Program] = {}
         self.inputs: dict[ProgramKey, list[str]] = {}  # those of INPUTS that the program reads
         self.stream = Source(ctx)
@@ -151,7 +153,7 @@ class Renderer:
         self.size = size
         self.accumulation: NDArray[np.float32] | None = None
         self.query = 0  # the driver's name of the query that is counting
-        self.fixed: tuple[Snapshot, int] | None = None
+        self.fixed: tuple[Snapshot, int, int] | None = None
         self.busy = False  # whether the GPU may still read the buffers
         self.probing: int | None = None  # the number of the draw whose fragments shall tell what they are made of
 
@@ -275,6 +277,8 @@ class Renderer:
     def _draw(self, draws: Sequence[Draw], pixels: Fragments | None = None) -> None:
         """pixels: what the fragments take from a rectangle of pixels."""
         objects, todo = plans(list(prepare(draws)), self.limit)
+        if not objects:
+            return  # every polygon is culled, or none is complete
         room = (len(objects) + self.limit) * ROW_SIZE  # a block always has `limit` rows, wherever it begins
         self._write("Transforms", transforms(objects), room)
         self._write("Materials", materials(objects), room)
@@ -286,22 +290,13 @@ class Renderer:
             self.busy = True
 
     def _draw_batch(self, batch: Batch, part: Plan, source: Source, pixels: Fragments | None) -> None:
-        state, columns = batch.state, batch.vertices.columns
-        wide = "line_side" in columns
-        many = batch.objects > 1 and (part.instances or len(part.rows) > 0)
-        key = program_key(state, batch.corners)._replace(
-            wide_lines=wide,
-            has_w="w" in columns,
-            depth_offset="depth_offset" in columns,
-            smooth_lines=wide and state.line.smooth,
-            pixels=PIXELS[pixels.kind] if pixels else 0,
-            object_color=batch.draws[0].color is not None,
-            probe=self.probing is not None,
-            objects=self.limit if many else 1,
-        )
-        self._apply(state, 2 if wide else batch.corners)
+        state = batch.state
+        objects = self.limit if part.several(batch) else 1
+        key = draw_key(batch.draws[0], objects, pixels.kind if pixels else "", self.probing is not None)
+        room = margin(state, batch.corners)
+        self._apply(state, batch.corners, room)
         self._upload_lights(state.lighting)
-        self._upload_raster(state, (*(pixels.origin if pixels else (0, 0)), self.probing or 0))
+        self._upload_raster(state, (*(pixels.origin if pixels else (0, 0)), self.probing or 0), room)
         if key.units:
             self._upload_texturing(batch)
             for unit in key.units:
@@ -314,7 +309,7 @@ class Renderer:
         program = self.program(key)
         source.fill(batch.vertices, self.inputs[key], self.busy)
         array = source.vertex_array(key, program, "/i" if part.instances else "/v")
-        mode = moderngl.TRIANGLES if wide else PRIMITIVES[batch.corners]
+        mode = moderngl.TRIANGLES if key.wide_lines else PRIMITIVES[batch.corners]
         array.render(mode, vertices=batch.count, first=batch.start, instances=batch.objects if part.instances else 1)
 
     # ------------------------------------------------------------ programs and buffers
@@ -360,13 +355,13 @@ class Renderer:
             self._write("Lights", lights(lighting))
             self.uploaded_lights = groups
 
-    def _upload_raster(self, state: Snapshot, origin: tuple[int, int, int]) -> None:
+    def _upload_raster(self, state: Snapshot, origin: tuple[int, int, int], room: int) -> None:
         groups = (
             state.fog, state.transform, state.point, state.viewport, state.line, state.polygon_stipple,
-            state.color_buffer.alpha_reference, origin,
+            state.color_buffer.alpha_reference, origin, room,
         )  # fmt: skip
         if groups != self.uploaded_raster:
-            self._write("Raster", raster(state, origin))
+            self._write("Raster", raster(state, origin, room))
             self.uploaded_raster = groups
 
     def _upload_texturing(self, batch: Batch) -> None:
@@ -378,19 +373,23 @@ class Renderer:
 
     # ------------------------------------------------------------ state that the core profile kept
 
-    def _apply(self, state: Snapshot, corners: int) -> None:
-        """Pass on what changed since the last draw; lines and points are never culled."""
+    def _apply(self, state: Snapshot, corners: int, room: int = 0) -> None:
+        """Pass on what changed since the last draw; lines and points are never culled.  room: see ``raster``."""
         before, raw = self.fixed, self.raw
-        if before is not None and before[0] is state and before[1] == corners:
+        if before is not None and before[0] is state and before[1:] == (corners, room):
             return
         old = before[0] if before else None
-        self.fixed = (state, corners)
+        self.fixed = (state, corners, room)
         if old is None:
             raw.glProvokingVertex(LAST_VERTEX_CONVENTION)
             raw.glEnable(PROGRAM_POINT_SIZE)
             raw.glDisable(TEXTURE_CUBE_MAP_SEAMLESS)  # in OpenGL 1.x the faces of a cube map know nothing of each other
-        if old is None or old.viewport != state.viewport:
-            raw.glViewport(*state.viewport[:4])
+        if before is None or (old.viewport, *before[1:]) != (state.viewport, corners, room):  # type: ignore[union-attr]
+            x, y, width, height = state.viewport[:4]
+            raw.glViewport(x - room, y - room, width + 2 * room, height + 2 * room)
+            self._switch(
+                DEPTH_CLAMP, corners == 2 and room > 0
+            )  # shaders/line.glsl clips wide lines, with all their width
             raw.glDepthRange(*state.viewport[4:])
         if before is None or (old.polygon, before[1]) != (state.polygon, corners):  # type: ignore[union-attr]
             polygon = state.polygon
@@ -479,8 +478,9 @@ def _faces(material: Material) -> list[float]:
     return values
 
 
-def raster(state: Snapshot, origin: tuple[int, int, int] = (0, 0, 0)) -> NDArray[np.float32]:
-    """The block Raster of shaders/raster.glsl: (84,) float32.  origin: of a pixel rectangle, and a probe's number."""
+def raster(state: Snapshot, origin: tuple[int, int, int] = (0, 0, 0), room: int = 0) -> NDArray[np.float32]:
+    """The block Raster of shaders/raster.glsl: (84,) float32.  origin: of a pixel rectangle, and a probe's number;
+    room: see glsim.render.lines.margin."""
     fog, point, line, viewport = state.fog, state.point, state.line, state.viewport
     block = np.zeros(RASTER_SIZE // 4, np.float32)
     block[0:4] = fog.color
@@ -489,7 +489,7 @@ def raster(state: Snapshot, origin: tuple[int, int, int] = (0, 0, 0)) -> NDArray
     block[32:36] = point.size, point.size_min, point.size_max, point.fade_threshold
     block[36:39] = point.distance_attenuation
     block[40:44] = viewport.x, viewport.y, max(viewport.width, 1), max(viewport.height, 1)
-    block[44:47] = line_width(state), line.stipple_factor, line.stipple_pattern
+    block[44:48] = line_width(state), line.stipple_factor, line.stipple_pattern, room
     block[80:83] = origin
     block[48:80] = np.array(state.polygon_stipple.rows, np.uint32).view(np.float32)
     return block

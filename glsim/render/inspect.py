@@ -20,7 +20,8 @@ from glsim.machine.interrupts import uninterrupted
 from glsim.machine.state import ColorBuffer, Depth, Lighting, Scissor, Snapshot, Stencil
 from glsim.render.batch import PLAIN, assembled, separate
 from glsim.render.context import Offscreen
-from glsim.render.outline import clip_positions, line_width, prepare
+from glsim.render.lines import clip_positions, line_width, point_size, widened
+from glsim.render.outline import prepare
 from glsim.render.pixels import Fragments, Reader, as_fragments
 
 Float = NDArray[np.float64]
@@ -87,7 +88,7 @@ class Survey(NamedTuple):
 def _alone(draw: Draw, chosen: NDArray[np.uint32]) -> Draw:
     """Some vertices of a Draw, as plain primitives over vertices of their own."""
     materials = []
-    if draw.block.materials and draw.indices is None:
+    if draw.block.materials:
         materials = list(enumerate(draw.materials_at(chosen)))
     block = draw.block.take(chosen, materials)
     plain = Draw(PLAIN[corners(draw.mode)], 0, len(chosen), None, draw.matrices, draw.material, draw.state, block)
@@ -123,7 +124,7 @@ class Inspector:
             for part in prepare([packet]):
                 for draw in separate(part, self.renderer.limit):
                     chosen, kind = assembled(draw), corners(draw.mode)
-                    size = 6 if "line_side" in draw.block.columns else kind
+                    size = 6 if kind == 2 and widened(draw.state) else kind
                     own = draw.block is packet.block
                     source = chosen.reshape(-1, kind) - np.uint32(packet.first) if own else None
                     if len(chosen):
@@ -263,14 +264,8 @@ def candidates(piece: Piece, x: int, y: int) -> NDArray[np.int64]:
         signed = (edges @ p) * np.sign(area)[:, None]
         possible = ~np.any(signed < -slack, axis=1) & (area != 0.0)
     else:
-        radius = (line_width(state) if piece.corners == 2 else _largest_point(state)) / 2.0 + 1.5
+        radius = (line_width(state) if piece.corners == 2 else point_size(state)) / 2.0 + 1.5
         at = v[..., :2] / v[..., 2:]
         low, high = at.min(axis=1) - radius * margin, at.max(axis=1) + radius * margin
         possible = np.all((low <= p[:2]) & (p[:2] <= high), axis=1) | np.any(v[..., 2] <= 1e-6, axis=1)
     return np.asarray(primitives[possible])
-
-
-def _largest_point(state: Snapshot) -> float:
-    """Pixels; with distance attenuation a point may be as large as it is allowed to be."""
-    point = state.point
-    return point.size if point.distance_attenuation == (1.0, 0.0, 0.0) else point.size_max

@@ -7,16 +7,17 @@ says how each call's arguments are passed.  No PyOpenGL is involved.
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.commands import COMMANDS, Command
-from glsim.machine.constants import GL_2_BYTES, GL_3_BYTES, GL_4_BYTES
+from glsim.machine.constants import GL_2_BYTES, GL_3_BYTES, GL_4_BYTES, GL_BITMAP, GL_UNSIGNED_INT
 from glsim.machine.frame import Call
-from glsim.machine.types import DTYPES, SUFFIXES
+from glsim.machine.pixels import PACKED
+from glsim.machine.types import DTYPES, SUFFIXES, raw_bytes
 from glsim.render.device import one_line, opening
 from glsim.render.egl import EGLLoader
 from glsim.render.osmesa import OSMesaLoader
@@ -92,7 +93,8 @@ class Native:
                 command = COMMANDS[name]
                 if command.result:
                     continue
-                self._call(name, pass_on(command, arguments, kept))
+                for one, passed in c_calls(name, arguments):
+                    self._call(one, pass_on(COMMANDS[one], passed, kept))
                 inside = name == "glBegin" or (inside and name != "glEnd")
                 code = 0 if inside else self.error()
                 if code and errors is not None:
@@ -151,20 +153,64 @@ class Native:
         function(*arguments)
 
 
-def pass_on(command: Command, arguments: tuple[Any, ...], kept: list[Any]) -> tuple[Any, ...]:
+Arguments = tuple[Any, ...]
+
+
+def c_calls(name: str, arguments: Arguments) -> Iterator[tuple[str, Arguments]]:
+    """A recorded call as calls of the C function: without PyOpenGL's short forms, and one by one what draws several."""
+    given = dict(zip(COMMANDS[name].parameters, arguments, strict=False))
+    if name.startswith("glMultiDraw"):
+        lengths, indices = given["count"], given.get("indices", [None] * len(given["count"]))
+        for k in range(given["primcount"]):
+            if "first" in given:
+                yield "glDrawArrays", (given["mode"], given["first"][k], lengths[k])
+            else:
+                yield "glDrawElements", (given["mode"], lengths[k], given["type"], indices[k])
+        return
+    if name.startswith("glMap1") and given.get("points") is None and "points" in given:
+        points = np.asarray(given["stride"], np.float64)
+        given.update(stride=points.shape[1], order=points.shape[0], points=points)
+    elif name.startswith("glMap2") and given.get("points") is None and "points" in given:
+        points = np.asarray(given["v1"], np.float64)
+        orders = {"uorder": points.shape[0], "vorder": points.shape[1]}
+        strides = {"ustride": points[0].size, "vstride": points.shape[2]}
+        given.update(v1=given["ustride"], v2=given["uorder"], points=points)
+        given.update(orders | strides)
+    elif name.startswith("glPixelMap") and given.get("values") is None:
+        given.update(size=np.size(given["size"]), values=given["size"])
+    elif name.startswith("glDelete") and "n" in given:  # glDeleteTextures(names)
+        names = next(key for key in given if key != "n")
+        if given[names] is None:
+            given.update({"n": np.size(given["n"]), names: given["n"]})
+    elif name == "glCallLists" and given.get("type") is None:
+        lists = raw_bytes(given["n"])
+        lists = np.asarray(given["n"]) if lists is None else lists
+        given.update(n=lists.size, type=GL_UNSIGNED_INT, lists=lists)
+    elif name == "glPolygonStipple" and np.size(given["mask"]) == 1024:  # ones and zeros
+        given.update(mask=np.packbits(np.reshape(given["mask"], (32, 32)) != 0, axis=1))
+    elif name == "glBufferData" and given.get("usage") is None:
+        given.update(size=None, data=given["size"], usage=given["data"])
+    elif name == "glBufferSubData" and given.get("data") is None:
+        given.update(size=None, data=given["size"])
+    if "size" in given and given["size"] is None:
+        given["size"] = memory(given["data"], None).nbytes
+    yield name, tuple(given.values())
+
+
+# arrays whose numbers no other argument tells the type of
+ELEMENTS: dict[str, type] = {"textures": np.uint32, "buffers": np.uint32, "ids": np.uint32, "flag": np.uint8}
+BYTES = {("glBitmap", "data"), ("glPolygonStipple", "mask"), ("glEdgeFlagPointer", "pointer")}
+
+
+def pass_on(command: Command, arguments: Arguments, kept: list[Any]) -> Arguments:
     """Python arguments of a recorded call -> what ctypes passes to the C function."""
     passed: list[Any] = []
-    element = command.type
     names = dict(zip(command.parameters, arguments, strict=False))
-    for (_, kind), value in zip(command.arguments, arguments, strict=False):
-        if kind == "data" and value is None:
-            passed.append(None)
+    for (parameter, kind), value in zip(command.arguments, arguments, strict=False):
+        if kind == "data" and (value is None or (type(value) is int and parameter in ("pointer", "indices"))):
+            passed.append(value)  # an offset into a buffer object
         elif kind == "data":
-            several_bytes = names.get("type") in (GL_2_BYTES, GL_3_BYTES, GL_4_BYTES)
-            number: Any = SUFFIXES[element] if element else names.get("type")
-            dtype = np.uint8 if several_bytes else DTYPES.get(number, np.float32)
-            raw = isinstance(value, (bytes, bytearray))
-            array = np.frombuffer(value, np.uint8) if raw else np.ascontiguousarray(value, dtype)
+            array = memory(value, _element(command, parameter, names.get("type")))
             kept.append(array)
             passed.append(array.ctypes.data)
         elif kind in ("f", "d"):
@@ -176,3 +222,26 @@ def pass_on(command: Command, arguments: tuple[Any, ...], kept: list[Any]) -> tu
         else:
             passed.append(int(value))
     return tuple(passed)
+
+
+def _element(command: Command, parameter: str, kind: Any) -> Any:
+    """The numpy type of an array argument; None: that of the array itself."""
+    if (command.name, parameter) in BYTES or kind in (GL_2_BYTES, GL_3_BYTES, GL_4_BYTES, GL_BITMAP):
+        return np.uint8
+    if parameter in ELEMENTS:
+        return ELEMENTS[parameter]
+    if command.name in ("glBufferData", "glBufferSubData"):
+        return None
+    if kind in PACKED:
+        return PACKED[kind][0]
+    return DTYPES.get(SUFFIXES[command.type] if command.type else kind, np.float32)
+
+
+def memory(value: Any, dtype: Any) -> NDArray[Any]:
+    """What a program passed, as memory of numbers of a type."""
+    array = raw_bytes(value)
+    if array is not None:
+        return array
+    if dtype is None and not hasattr(value, "dtype"):
+        dtype = np.float32
+    return np.ascontiguousarray(value, dtype)

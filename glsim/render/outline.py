@@ -1,7 +1,8 @@
 """What core profiles lack: wide and stippled lines, and polygons drawn as edges or points.
 
 Such Draws are replaced by others over vertices of their own: wide lines by triangles, unfilled polygons by lines or
-points, without the diagonals of quads and polygons, and only for the faces that are wanted.
+points, without the diagonals of quads and polygons, only for the faces that are wanted, and with the edges and corners
+that clipping makes.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.assembly import corners, counterclockwise, outlines
+from glsim.machine.clipping import BOUNDARY, INTERIOR, INTRODUCED, VIEW_PLANES, clipped, distances, edge_kinds
 from glsim.machine.constants import (
     GL_BACK,
     GL_CCW,
@@ -21,18 +23,17 @@ from glsim.machine.constants import (
     GL_FRONT,
     GL_FRONT_AND_BACK,
     GL_LINE,
-    GL_LINE_LOOP,
-    GL_LINE_STRIP,
     GL_LINES,
+    GL_PHONG_WIN,
     GL_POINTS,
     GL_POLYGON,
-    GL_QUADS,
+    GL_SMOOTH,
     GL_TRIANGLES,
 )
 from glsim.machine.frame import Draw, Vertices
-from glsim.machine.matrix import evaluate, multiply
-from glsim.machine.state import Material, Snapshot
-from glsim.render.batch import assembled
+from glsim.machine.stage import vertex_stage
+from glsim.machine.state import Lighting, Material, Snapshot
+from glsim.render.lines import clip_positions, eye_and_clip, lines, positions, widened
 
 Float = NDArray[np.float32]
 
@@ -57,92 +58,9 @@ def _need(draw: Draw) -> str:
     state = draw.state
     if kind == 3 and (state.polygon.front_mode != GL_FILL or state.polygon.back_mode != GL_FILL):
         return "unfilled"
-    if kind == 2 and (state.line.stipple or widened(state)) and "line_start" not in draw.block.columns:
+    if kind == 2 and (state.line.stipple or widened(state)) and "line_corner" not in draw.block.columns:
         return "lines"
     return ""
-
-
-def line_width(state: Snapshot) -> float:
-    """The width lines are drawn with: rounded, at least one pixel (section 3.4.2); a smooth line's is exact."""
-    return state.line.width if state.line.smooth else max(float(np.floor(state.line.width + 0.5)), 1.0)
-
-
-def widened(state: Snapshot) -> bool:
-    """Whether lines are drawn as areas."""
-    return state.line.smooth or line_width(state) > 1.0
-
-
-def positions(block: Vertices, chosen: NDArray[np.uint32]) -> Float:
-    """Homogeneous positions (n, 4) in object space."""
-    w = block.columns.get("w")
-    result = np.ones((len(chosen), 4), np.float32)
-    result[:, :3] = block.rows[chosen, :3]
-    if w is not None:
-        result[:, 3] = w[chosen, 0]
-    return result
-
-
-def clip_positions(draw: Draw, chosen: NDArray[np.uint32]) -> NDArray[np.float64]:
-    """Positions (n, 4) in clip space."""
-    evaluate(draw.matrices)
-    modelview, projection = (matrix.get()[None] for matrix in draw.matrices[:2])
-    product: NDArray[np.float64] = multiply(projection, modelview)[0].astype(np.float64)
-    return np.asarray(positions(draw.block, chosen).astype(np.float64) @ product)
-
-
-# ---------------------------------------------------------------- lines
-
-SIDES = np.array([-1.0, 1.0, -1.0, 1.0], np.float32)
-CORNERS = np.array([0, 1, 2, 1, 3, 2], np.uint32)  # both triangles end in the line's second vertex, the provoking one
-
-
-def lines(draws: list[Draw]) -> list[Draw]:
-    """Wide or stippled lines; the Draws share their vertices and their state."""
-    block, state = draws[0].block, draws[0].state
-    wide = widened(state)
-    ends = [assembled(draw).reshape(-1, 2) for draw in draws]
-    order = np.array([0, 0, 1, 1] if wide else [0, 1])
-    chosen = np.concatenate(ends)[:, order].ravel()
-    materials: list[tuple[int, Material]] = []
-    result, first = [], 0
-    vertices = block.take(chosen)
-    for draw, pairs in zip(draws, ends, strict=True):
-        count = pairs.size * (2 if wide else 1)
-        if block.materials and draw.indices is None:
-            used = draw.materials_at(chosen[first : first + count])
-            materials += [(first + k, material) for k, material in enumerate(used)]
-        part = Draw(GL_LINES, first, count, None, draw.matrices, draw.material, state, vertices)
-        if wide:
-            part.indices = (np.arange(len(pairs), dtype=np.uint32)[:, None] * 4 + CORNERS).ravel()
-        part.color = draw.color
-        result.append(part)
-        first += count
-    starts = [_starts(draw, pairs) for draw, pairs in zip(draws, ends, strict=True)]
-    vertices.columns["line_start"] = np.concatenate(starts)[:, order].reshape(-1, 1)
-    if wide:
-        vertices.columns["line_side"] = np.tile(SIDES, len(chosen) // 4)[:, None]
-        others = np.concatenate(ends)[:, order[::-1]].ravel()
-        vertices.columns["other_end"] = positions(block, others)
-    vertices.materials = materials
-    return result
-
-
-def _starts(draw: Draw, pairs: NDArray[np.uint32]) -> Float:
-    """Pixels from the beginning of the stipple pattern at both ends of each line: (n, 2).
-
-    A strip or loop goes on where its last line ended; separate lines begin anew (section 3.4.2).
-    """
-    if not draw.state.line.stipple or not len(pairs):
-        return np.zeros(pairs.shape, np.float32)
-    clip = clip_positions(draw, pairs.ravel())
-    with np.errstate(all="ignore"):
-        window = clip[:, :2] / clip[:, 3:] * (np.array(draw.state.viewport[2:4]) / 2)
-    ends = np.nan_to_num(window, posinf=0.0, neginf=0.0).reshape(-1, 2, 2)
-    length = np.abs(ends[:, 1] - ends[:, 0]).max(axis=1)
-    begin = np.zeros(len(length))
-    if draw.mode in (GL_LINE_STRIP, GL_LINE_LOOP):
-        begin[1:] = np.cumsum(np.floor(length + 1e-3))[:-1]  # fragments are counted, not lengths
-    return np.stack([begin, begin + length], axis=1).astype(np.float32)
 
 
 # ---------------------------------------------------------------- unfilled polygons
@@ -164,7 +82,7 @@ def unfilled(draw: Draw) -> Iterator[Draw]:
         mode = polygon.front_mode if is_front else polygon.back_mode
         kept = slice(first, end)
         if not culled:
-            yield _face(draw, rings[kept], provoking[kept], mode, is_front)
+            yield from _face(draw, rings[kept], provoking[kept], mode, is_front)
 
 
 def _runs(state: Snapshot, front: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
@@ -183,18 +101,21 @@ def facing(draw: Draw, rings: NDArray[np.uint32]) -> NDArray[np.bool_]:
     return np.equal(counterclockwise(clip), draw.state.polygon.front_face == GL_CCW)
 
 
-def _face(draw: Draw, rings: NDArray[np.uint32], provoking: NDArray[np.uint32], mode: int, front: bool) -> Draw:
+def _face(
+    draw: Draw, rings: NDArray[np.uint32], provoking: NDArray[np.uint32], mode: int, front: bool
+) -> Iterator[Draw]:
     """Polygons of one facing as filled areas, edges or points."""
     state = draw.state._replace(polygon=draw.state.polygon._replace(front_mode=GL_FILL, back_mode=GL_FILL, cull=False))
     if mode == GL_FILL:
         if draw.mode == GL_POLYGON:
-            return _part(draw, GL_POLYGON, rings.ravel(), None, state, True)
+            yield _part(draw, GL_POLYGON, rings.ravel(), None, state, True)
+            return
         if rings.shape[1] == 4:  # cut as Mesa does where some polygons of a Draw are not filled
             rings = rings[:, [0, 1, 3, 1, 2, 3]]
-        return _part(draw, GL_TRIANGLES, rings.ravel(), None, state, True)
-    flags = np.ones(rings.shape, bool)
-    if draw.mode in (GL_TRIANGLES, GL_QUADS, GL_POLYGON) and draw.block.varies("edge_flag"):
-        flags = draw.block.column("edge_flag")[rings, 0] != 0.0
+        yield _part(draw, GL_TRIANGLES, rings.ravel(), None, state, True)
+        return
+    edges = edge_kinds(draw, rings)
+    flags = edges == BOUNDARY
     offsets = _depth_offsets(draw, rings, mode)
     each = np.broadcast_to(np.arange(len(rings))[:, None], rings.shape)[flags]  # the polygon of each edge or corner
     if mode == GL_LINE:
@@ -205,6 +126,68 @@ def _face(draw: Draw, rings: NDArray[np.uint32], provoking: NDArray[np.uint32], 
         part = _part(draw, GL_POINTS, rings[flags], provoking[each], state, front)
     if offsets is not None:
         part.block.columns["depth_offset"] = offsets[each, None]
+    yield part
+    if mode == GL_LINE and not any(state.transform.clip_enabled):
+        return
+    planes = _planes(draw, rings, mode)
+    outside = planes < 0.0
+    cut = np.flatnonzero(np.any(outside, axis=(1, 2)) & ~np.any(np.all(outside, axis=1), axis=1))
+    if len(cut):
+        source = np.repeat(provoking[cut], rings.shape[1])
+        whole = _part(draw, GL_POINTS, rings[cut].ravel(), source, state, front)
+        if offsets is not None:
+            whole.block.columns["depth_offset"] = np.repeat(offsets[cut], rings.shape[1])[:, None]
+        yield _introduced(whole, planes[cut], edges[cut], mode)
+
+
+def _planes(draw: Draw, rings: NDArray[np.uint32], mode: int) -> NDArray[np.float64]:
+    """Distances (n, k, p) of the corners of polygons from the planes that make edges, or corners that are drawn.
+
+    What is made at the view volume lies a little inside of it, lest the GPU cuts it off.
+    """
+    eye, clip = eye_and_clip(draw, rings.ravel())
+    planes = distances(clip, eye, draw.state.transform)
+    planes[:, :VIEW_PLANES] -= 1e-5 * np.abs(clip[:, 3:])
+    return planes.reshape(*rings.shape, -1)[..., VIEW_PLANES if mode == GL_LINE else 0 :]
+
+
+def _introduced(whole: Draw, planes: NDArray[np.float64], edges: NDArray[np.int64], mode: int) -> Draw:
+    """The edges or corners that clipping makes of polygons drawn as lines or points (section 2.11).
+
+    Along planes of glClipPlane they are boundary edges.  Along the view volume they are not, as in Mesa: else there
+    would be a frame at the border of every picture.
+
+    whole: all corners of the polygons, planes: see _planes; edges: the kind of the edge from each corner (n, k).
+    """
+    rows, columns, state = whole.block.rows.copy(), dict(whole.block.columns), whole.state
+    lighting = Lighting(shade_model=GL_SMOOTH)
+    if state.lighting.enabled and state.lighting.shade_model == GL_PHONG_WIN:
+        lighting = state.lighting
+    elif state.lighting.enabled:  # colours are interpolated, the equation is not evaluated again
+        stage = vertex_stage(whole, np.arange(len(rows), dtype=np.uint32), 0)
+        rows[:, 6:10] = stage.front
+        columns["secondary_color"] = np.insert(stage.highlight, 3, 1.0, axis=1).astype(np.float32)
+        state = state._replace(fog=state.fog._replace(color_sum=True))
+    state = state._replace(lighting=lighting, transform=state.transform._replace(clip_enabled=(False,) * 6))
+    varying = [name for name, values in columns.items() if len(values) == len(rows)]
+    all_columns = [rows, *(columns[name] for name in varying)]
+    polygons = np.concatenate(all_columns, axis=1).astype(np.float64).reshape(*edges.shape, -1)
+    kept = []
+    for polygon, distances_of, kinds in zip(polygons, planes, edges, strict=True):
+        left = clipped(polygon, distances_of, kinds, 0 if mode == GL_LINE else VIEW_PLANES)
+        at = np.flatnonzero(left.edges == INTRODUCED if mode == GL_LINE else left.new & (left.edges != INTERIOR))
+        if mode == GL_LINE:
+            at = np.stack([at, (at + 1) % max(len(left.rows), 1)], axis=1).ravel()
+        kept.append(left.rows[at])
+    rows, *values = np.split(
+        np.concatenate(kept).astype(np.float32), np.cumsum([c.shape[1] for c in all_columns])[:-1], 1
+    )
+    block = Vertices(np.ascontiguousarray(rows), columns | dict(zip(varying, values, strict=True)), [])
+    part = Draw(
+        GL_LINES if mode == GL_LINE else GL_POINTS, 0, len(rows), None, whole.matrices, whole.material, state, block
+    )
+    part.color = None if whole.state.lighting.enabled and not lighting.enabled else whole.color
+    part.call = whole.call
     return part
 
 
@@ -243,8 +226,12 @@ def _part(
     source = provoking if flat and provoking is not None else chosen
     if flat:
         vertices.rows[:, 3:] = block.rows[source, 3:]
+        if block.varies("secondary_color"):
+            vertices.columns["secondary_color"] = block.column("secondary_color")[source]
+        if state.lighting.enabled:
+            vertices.columns["lit_position"] = positions(block, source)
     material = draw.material
-    if block.materials and draw.indices is None:
+    if block.materials:
         vertices.materials = list(enumerate(draw.materials_at(source)))
     if not front and state.lighting.enabled and state.lighting.two_side:  # lines and points have no back: turn it round
         vertices.rows[:, 3:6] *= -1
@@ -256,5 +243,5 @@ def _part(
         elif state.lighting.color_material:
             state = state._replace(lighting=state.lighting._replace(color_material_face=GL_FRONT_AND_BACK))
     part = Draw(mode, 0, len(chosen), None, draw.matrices, material, state, vertices)
-    part.color = draw.color
+    part.color, part.call = draw.color, draw.call
     return part

@@ -11,6 +11,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from glsim.files import data_folder
+from glsim.machine.assembly import corners
 from glsim.machine.constants import (
     GL_ADD,
     GL_ADD_SIGNED,
@@ -67,8 +68,10 @@ from glsim.machine.constants import (
     GL_TEXTURE,
     GL_TEXTURE0,
 )
+from glsim.machine.frame import Draw
 from glsim.machine.state import MAX_CLIP_PLANES, TEXTURE_UNITS, Combine, Light, Lighting, Snapshot, TextureUnit
 from glsim.machine.texture import CUBE
+from glsim.render.lines import widened
 
 if TYPE_CHECKING:
     import moderngl
@@ -146,14 +149,35 @@ class ProgramKey(NamedTuple):
     pixels: int = 0  # the fragments of a pixel rectangle: one of PIXELS
     depth_offset: bool = False  # each vertex says how far it is moved: glPolygonOffset for lines and points
     smooth_lines: bool = False  # wide lines with soft edges
+    lit_elsewhere: bool = False  # each vertex says where the equation is evaluated: at a polygon's provoking vertex
     probe: bool = False  # fragments tell what they are made of
     objects: int = 1  # rows of transforms and materials that one draw can use
+
+
+def draw_key(draw: Draw, objects: int = 1, pixels: str = "", probe: bool = False) -> ProgramKey:
+    """The key of the program that draws ``draw``, which is one that a core profile can draw (outline.prepare).
+
+    objects: rows of transforms and materials it can use; pixels: see PIXELS; probe: for an Inspector.
+    """
+    state, columns = draw.state, draw.block.columns
+    wide = "line_corner" in columns and widened(state)
+    return program_key(state, corners(draw.mode))._replace(
+        wide_lines=wide,
+        has_w="w" in columns,
+        depth_offset="depth_offset" in columns,
+        smooth_lines=wide and state.line.smooth,
+        lit_elsewhere="lit_position" in columns,
+        pixels=PIXELS[pixels],
+        object_color=draw.color is not None,
+        probe=probe,
+        objects=objects,
+    )
 
 
 def program_key(state: Snapshot, corners: int = 3) -> ProgramKey:
     """The key of a state, for primitives with this many corners; states with the same key share a program.
 
-    The fields that depend on the vertices keep their defaults.
+    The fields that depend on the vertices keep their defaults: draw_key has them all.
     """
     color, fog = state.color_buffer, state.fog
     common = ProgramKey(
@@ -260,7 +284,7 @@ def constants(key: ProgramKey) -> str:
     lines.append(f"const int ALPHA_FUNC = {int(key.alpha_func)};")
     lines.append(f"const bool[6] CLIP_PLANE = bool[6]({', '.join(map(_glsl, key.clip_plane))});")
     for name in (
-        "depth_offset", "smooth_lines",
+        "depth_offset", "smooth_lines", "lit_elsewhere",
         "points", "areas", "wide_lines", "has_w", "object_color", "color_sum", "fog_coordinate", "polygon_stipple",
         "line_stipple", "point_smooth", "lighting", "per_fragment", "lobe_is_phong", "flip_normal", "local_viewer",
         "two_side",
@@ -308,6 +332,7 @@ def _unit_constants(units: tuple[UnitKind, ...]) -> list[str]:
         ("bool", "TEXTURE_IS_INTENSITY", [unit.is_intensity for unit in every]),
         ("bool", "TEXTURE_IS_DEPTH", [unit.is_depth for unit in every]),
         ("bool", "CLAMP", [flag for unit in every for flag in unit.clamp]),
+        ("bool", "CLAMPS", [any(unit.clamp) for unit in every]),
         ("int", "TEXENV", [unit.environment for unit in every]),
         ("int", "TEXGEN", [mode for unit in every for mode in unit.generated]),
         ("int", "COMBINE_RGB", [combine.rgb for combine in combines]),

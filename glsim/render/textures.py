@@ -41,7 +41,7 @@ from glsim.machine.constants import (
     GL_UNSIGNED_BYTE,
 )
 from glsim.machine.state import TextureUnit
-from glsim.machine.texture import CUBE, Images, Texture
+from glsim.machine.texture import CUBE, Images, Texture, in_base_format
 from glsim.render.programs import RECTANGLE_UNIT
 from glsim.render.raw import RawGL
 
@@ -160,5 +160,7 @@ class Textures:
             (GL_TEXTURE_MIN_LOD, sampler.min_lod), (GL_TEXTURE_MAX_LOD, sampler.max_lod), (GL_TEXTURE_LOD_BIAS, bias),
         ):  # fmt: skip
             raw.glTexParameterf(target, pname, number)
-        border = (ctypes.c_float * 4)(*sampler.border_color)
+        assert texture.base is not None
+        color = in_base_format(np.array(sampler.border_color), texture.base.base_format, 1.0)  # table 3.15
+        border = (ctypes.c_float * 4)(*color)
         raw.glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, border)

@@ -1,6 +1,6 @@
 """A fragment on the CPU: lighting, texture environment, fog, tests and blending in float64, as shaders/ does them.
 
-Together with glsim.gl.stage this is the second witness of the whole pipeline; what only rasterisation and texture
+Together with glsim.machine.stage this is the second witness of the whole pipeline; what only rasterisation and texture
 lookup can know (weights, depth, texels) comes from glsim.render.inspect.
 """
 
@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim import shading
-from glsim.gl.stage import Stage, illumination, shown, vertex_stage
 from glsim.machine.constants import (
     GL_ADD,
     GL_ADD_SIGNED,
@@ -67,6 +66,7 @@ from glsim.machine.constants import (
     GL_TEXTURE0,
     GL_ZERO,
 )
+from glsim.machine.stage import Stage, illumination, shown, vertex_stage
 from glsim.machine.state import ColorBuffer, Combine, Fog, TextureUnit
 from glsim.render.inspect import Piece
 from glsim.render.programs import UnitKind, unit_kind
@@ -123,7 +123,7 @@ def shade(piece: Piece, primitives: NDArray[np.int64], weights: Float, back: boo
     corners: NDArray[np.int64] = places.reshape(numbers.shape)
     weights = weights[:, : piece.corners]
     stage = vertex_stage(draw, chosen.astype(np.uint32), 0, colors=False)
-    point = stage.eye[:, :3] / stage.eye[:, 3:]
+    point = stage.point
     N, P = interpolated(stage.normal, corners, weights), interpolated(point, corners, weights)
     if not lighting.enabled:
         where = "provoking" if lighting.shade_model == GL_FLAT else "none"

@@ -205,7 +205,7 @@ def _at(packet: Clear | Accum | QueryMark, x: int, y: int) -> Packet:
 
 
 def _vertices(one: Piece, sample: Sample, lit: Shaded) -> tuple[Vertex, ...]:
-    from glsim.gl.stage import window
+    from glsim.machine.stage import window
 
     rows = lit.corners[0]
     stage, weights = lit.stage, lit.weights[0]
@@ -231,8 +231,8 @@ def _evaluations(one: Piece, sample: Sample, lit: Shaded) -> tuple[Evaluation, .
     """Where the equation ran, with all numbers."""
     if lit.terms is None:
         return ()
-    from glsim.gl.stage import surface
     from glsim.machine.constants import GL_BACK, GL_FRONT
+    from glsim.machine.stage import surface
 
     lighting, rows = one.draw.state.lighting, lit.corners[0]
     back = lighting.two_side and not sample.front and one.corners == 3
@@ -245,10 +245,9 @@ def _evaluations(one: Piece, sample: Sample, lit: Shaded) -> tuple[Evaluation, .
         numbers = chosen if one.source is None else one.source[0]
         corners = range(len(rows)) if lit.where == "vertex" else [len(rows) - 1]
         sign = -1.0 if back else 1.0
-        eye = lit.stage.eye
         places = [
             (rows[k], f"vertex {numbers[k]}", lit.weights[0, k] if lit.where == "vertex" else 1.0,
-             sign * lit.stage.normal[rows[k]], eye[rows[k], :3] / eye[rows[k], 3])
+             sign * lit.stage.normal[rows[k]], lit.stage.point[rows[k]])
             for k in corners
         ]  # fmt: skip
         materials = one.draw.materials_at(np.unique(chosen))

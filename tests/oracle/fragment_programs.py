@@ -385,6 +385,8 @@ def stencil_masks() -> None:
 
 # Where a wide line ends and where a stipple pattern changes may differ by one pixel: drivers have rules of their own.
 LINES: dict[str, Callable[[], None]] = {}
+# Mesa rounds the ends of a line to 1/256 pixel and knows no coverage more exactly: one more 1/255 of each colour.
+SMOOTH: dict[str, Callable[[], None]] = {}
 
 
 for _width in (2.0, 3.0, 5.4, 9.0):

@@ -5,23 +5,53 @@ from __future__ import annotations
 import ast
 import builtins
 import logging
-import os
 import string
 import sys
 import types
 import warnings
+from functools import cache
 from importlib import import_module
 from importlib.abc import Loader, MetaPathFinder
-from importlib.machinery import FileFinder, ModuleSpec, SourceFileLoader
+from importlib.machinery import ModuleSpec, SourceFileLoader
 from numbers import Integral
 from typing import Any
+
+NOT_INSTALLED = "install glsim with `pip install glsim[python2]` to have it converted"
 
 
 class ConversionError(Exception):
     """A program is neither Python 3 nor something that can be converted."""
 
 
+def compiled_program(source: bytes, name: str, convert: bool = True) -> tuple[types.CodeType, bool]:
+    """The code of a program, and whether it was converted from Python 2.
+
+    convert: whether it may be.  A program that is neither Python 3 nor converts is one of Python 3 with a mistake: then
+    SyntaxError is raised, with Python 3's own message and line.  So it is where only tabs and spaces are mixed.
+    """
+    if not convert or is_python_3(source.expandtabs(8), name):
+        return compile(source, name, "exec"), False
+    try:
+        code = compiled(source, name)
+    except ConversionError as reason:
+        raise _mistake(source, name, str(reason)) from None
+    prepare()
+    return code, True
+
+
+def _mistake(source: bytes, name: str, reason: str) -> Exception:
+    """Why Python 3 does not take a program; reason: why it was not converted."""
+    try:
+        compile(source, name, "exec")
+    except (SyntaxError, ValueError) as mistake:
+        if reason == NOT_INSTALLED:
+            mistake.add_note(f"If it is Python 2: {reason}")
+        return mistake
+    return SyntaxError(reason)
+
+
 def is_python_3(source: bytes, name: str) -> bool:
+    """Whether a program is one of Python 3, as far as its syntax tells."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -50,11 +80,11 @@ def converted(source: bytes, name: str) -> str:
 
 def compiled(source: bytes, name: str) -> types.CodeType:
     """The code of a program of Python 2, in which / of two integers gives an integer.  Raises ConversionError."""
-    tree = ast.parse(converted(source, name), name)
+    tree = ast.fix_missing_locations(_CharacterArrays().visit(ast.parse(converted(source, name), name)))
     future = [node for node in tree.body if isinstance(node, ast.ImportFrom) and node.module == "__future__"]
     if not any(alias.name == "division" for node in future for alias in node.names):
         tree = ast.fix_missing_locations(_Division().visit(tree))
-    builtins.__dict__[DIVIDE] = divide
+    builtins.__dict__[DIVIDE], builtins.__dict__[CHARACTERS] = divide, Characters
     return compile(tree, name, "exec")
 
 
@@ -89,6 +119,66 @@ class _Division(ast.NodeTransformer):
         return ast.Call(ast.Name(DIVIDE, ast.Load()), [left, right], [])
 
 
+CHARACTERS = "_python_2_characters"
+
+
+class _CharacterArrays(ast.NodeTransformer):
+    """array("c", ...) -> Characters(...)."""
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        self.generic_visit(node)
+        name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+        if name == "array" and node.args and isinstance(node.args[0], ast.Constant) and node.args[0].value == "c":
+            return ast.copy_location(ast.Call(ast.Name(CHARACTERS, ast.Load()), node.args[1:], node.keywords), node)
+        return node
+
+
+class Characters(bytearray):
+    """Python 2's array("c"): bytes that are read and written as characters."""
+
+    typecode, itemsize = "c", 1
+
+    def __init__(self, characters: Any = "") -> None:
+        super().__init__(_as_bytes(characters))
+
+    def __getitem__(self, place: Any) -> Any:
+        found = super().__getitem__(place)
+        return Characters(found) if isinstance(place, slice) else chr(found)
+
+    def __setitem__(self, place: Any, value: Any) -> None:
+        given = _as_bytes(value)
+        super().__setitem__(place, given if isinstance(place, slice) else given[0])
+
+    def __iter__(self) -> Any:
+        return map(chr, bytes(self))
+
+    def __add__(self, other: Any) -> Any:
+        return Characters(bytes(self) + _as_bytes(other))
+
+    def __mul__(self, count: Any) -> Any:
+        return Characters(bytes(self) * count)
+
+    def append(self, character: Any) -> None:
+        super().append(_as_bytes(character)[0])
+
+    def extend(self, characters: Any) -> None:
+        super().extend(_as_bytes(characters))
+
+    fromstring = fromlist = extend
+
+    def tostring(self) -> str:
+        return self.decode("latin-1")
+
+    def tolist(self) -> list[str]:
+        return list(map(chr, bytes(self)))
+
+
+def _as_bytes(characters: Any) -> bytes:
+    if isinstance(characters, (bytes, bytearray)):
+        return bytes(characters)
+    return "".join(characters).encode("latin-1")
+
+
 # ---------------------------------------------------------------- what such programs import
 
 OLD_MODULES = {
@@ -97,11 +187,9 @@ OLD_MODULES = {
 }  # fmt: skip
 
 
-def prepare(folder: str) -> None:
-    """Modules beside the program are converted too, and what Python 2 had elsewhere is found again."""
-    loader = (_Loader, [".py"])
-    sys.path_hooks.insert(0, _only(folder, FileFinder.path_hook(loader)))
-    sys.path_importer_cache.pop(folder, None)
+@cache
+def prepare() -> None:
+    """What Python 2 had elsewhere is found again."""
     sys.meta_path.append(_OldModules())
     for name in ("split", "join", "lower", "upper", "replace", "strip", "lstrip", "rstrip", "find", "count"):
         if not hasattr(string, name):
@@ -112,19 +200,11 @@ def prepare(folder: str) -> None:
     string.letters = string.ascii_letters  # type: ignore[attr-defined]
 
 
-def _only(folder: str, hook: Any) -> Any:
-    def limited(path: str) -> Any:
-        if os.path.abspath(path) != folder:
-            raise ImportError
-        return hook(path)
+class ConvertingLoader(SourceFileLoader):
+    """Loads modules of Python 3, and those of Python 2 converted."""
 
-    return limited
-
-
-class _Loader(SourceFileLoader):
     def source_to_code(self, data: Any, path: Any, *, _optimize: int = -1) -> Any:  # type: ignore[override]
-        source = bytes(data)
-        return compile(source, path, "exec") if is_python_3(source, str(path)) else compiled(source, str(path))
+        return compiled_program(bytes(data), str(path))[0]
 
     def cache_from_source(self, path: str) -> str:
         raise NotImplementedError  # nothing is written beside the program
@@ -166,9 +246,7 @@ def _driver() -> Any:
         try:
             refactor = import_module("lib2to3.refactor")
         except ImportError:
-            raise ConversionError(
-                "it looks like Python 2: install glsim with `pip install glsim[python2]` to convert it"
-            ) from None
+            raise ConversionError(NOT_INSTALLED) from None
     logging.getLogger("RefactoringTool").setLevel(logging.ERROR)
     package = refactor.__name__.partition(".")[0]
     names = refactor.get_fixers_from_package(f"{package}.fixes")

@@ -39,11 +39,13 @@ TRACKED: dict[int, tuple[str, ...]] = {
 
 
 class Stage(NamedTuple):
-    """Vertices after transformation and lighting: eye and clip coordinates (n, 4), normals in eye space (n, 3), current
-    colours, colours of both sides (n, 4), highlight apart (n, 3), texture coordinates by unit (n, 4)."""
+    """Vertices after transformation and lighting: eye and clip coordinates (n, 4); the lit point and the normal in
+    eye space (n, 3); current colours and colours of both sides (n, 4), highlight apart (n, 3); texture
+    coordinates by unit (n, 4)."""
 
     eye: Float
     clip: Float
+    point: Float
     normal: Float
     current: Float
     front: Float
@@ -65,10 +67,13 @@ def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int, colors: boo
     color = np.asarray(block.rows[chosen, 6:10] if draw.color is None else [draw.color] * len(chosen), np.float64)
     eye = P @ modelview
     N = _normals(draw, block.rows[chosen, 3:6].astype(np.float64), modelview)
+    lit = (
+        block.column("lit_position")[chosen].astype(np.float64) @ modelview if "lit_position" in block.columns else eye
+    )
+    point = lit[:, :3] / lit[:, 3:]
     front = back = np.clip(color, 0.0, 1.0)
     highlight = np.zeros((len(chosen), 3))
     if state.lighting.enabled and colors:
-        point = eye[:, :3] / eye[:, 3:]
         front, highlight = _lit(draw, chosen, GL_FRONT, N, point, color)
         back = _lit(draw, chosen, GL_BACK, -N, point, color)[0] if state.lighting.two_side else front
     elif state.fog.color_sum:
@@ -78,7 +83,7 @@ def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int, colors: boo
         matrix = textures[number] if number < len(textures) else np.eye(4)
         given = block.column(f"texcoord{number}")[chosen].astype(np.float64)
         texcoords.append(_generated(state.texture.units[number], given, P, eye, N) @ matrix)
-    return Stage(eye, eye @ projection, N, color, front, back, highlight, texcoords)
+    return Stage(eye, eye @ projection, point, N, color, front, back, highlight, texcoords)
 
 
 def _normals(draw: Draw, normals: Float, modelview: Float) -> Float:
