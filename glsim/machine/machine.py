@@ -104,12 +104,12 @@ class Machine:
     __slots__ = (  # noqa: RUF023
         # registers: current values, vertices since the last flush, what is going on
         "accum_clear", "alpha", "array_buffer", "attrib_stack", "begin_material", "blue", "buffers", "busy",
-        "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns",
-        "compiling", "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index",
-        "inside", "latest", "limits", "list_base", "lists", "lowest", "maps", "materials", "modelview", "nesting", "nx",
-        "ny", "nz", "pack_store", "packets", "pixel", "projection", "queries", "raster", "recorder", "red",
-        "selection", "several_texture_matrices", "stack", "stacks", "stream", "texcoord", "texture_names",
-        "texture_stacks", "textures", "thread", "tracks", "unpack_store", "waiting", "write", "__weakref__",
+        "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling",
+        "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest",
+        "limits", "list_base", "lists", "lowest", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz",
+        "pack_store", "packets", "pixel", "projection", "queries", "raster", "recorder", "red", "selection",
+        "several_texture_matrices", "stack", "stacks", "stream", "texcoord", "texture_names", "texture_stacks",
+        "textures", "thread", "tracks", "unpack_store", "waiting", "write", "__weakref__",
         # groups of state
         "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",
         "polygon_stipple", "scissor", "stencil", "texture", "transform", "viewport",
