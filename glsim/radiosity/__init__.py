@@ -39,3 +39,7 @@ def __getattr__(name: str) -> Any:
     if name in _HOME:
         return getattr(import_module(f"glsim.radiosity.{_HOME[name]}"), name)
     raise AttributeError(f"module 'glsim.radiosity' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_HOME})
