@@ -25,6 +25,7 @@ from glsim.radiosity import kernels
 from glsim.radiosity.bake import averaged, gathered, radiosity_at, toned, unevenness
 from glsim.radiosity.formfactors import METHODS, FormFactors, compute
 from glsim.radiosity.hemicube import delta_form_factors, hemicube
+from glsim.radiosity.hierarchy import linked, tree_of
 from glsim.radiosity.load import scene_from
 from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.patches import Patches, patches_of, subdivide
@@ -611,6 +612,31 @@ def test_files(small: radiosity.Radiosity, tmp_path: Path) -> None:
     assert len(small.matrix_picture(100).getcolors(1 << 16)) > 20
     with pytest.raises(SceneError, match="has 1 view, numbered from 0; there is no 3"):
         small.picture(64, 3)
+
+
+def test_results_in_a_line_and_in_a_notebook(small: radiosity.Radiosity) -> None:
+    n, p = len(small.patches), small.patches
+    assert repr(small).startswith(f"<Radiosity of cornell: {n} patches, contour, gauss-seidel, ")
+    links = linked(tree_of(p.scene, 60))
+    assert [repr(some) for some in (p.scene, p, small.factors, links.tree)] == [
+        "<Scene cornell: 18 polygons, 1 emitting, 5 materials>", f"<Patches of cornell: {n}>",
+        f"<FormFactors of cornell: {n} x {n}, contour>",
+        f"<Tree of cornell: {len(links.tree.nodes)} nodes, {len(links.tree.leaves)} elements>",
+    ]  # fmt: skip
+    for some in (small, small.mesh, links):
+        assert len(repr(some)) < 120
+        assert "\n" not in repr(some)
+    page = small._repr_html_()
+    assert '<img src="data:image/png;base64,iVBOR' in page
+    assert "<td>form factors</td><td>contour; rows sum to 1 within" in page
+    assert (small._repr_png_() or b"").startswith(b"\x89PNG")
+
+
+def test_what_the_package_offers() -> None:
+    assert {"solve", "Radiosity", "Builder", "Material", "Scene", "SceneError", "View", "BUILT_IN"} <= set(
+        dir(radiosity)
+    )
+    assert all(hasattr(radiosity, name) for name in dir(radiosity))
 
 
 def test_a_mesh_file_and_a_program(tmp_path: Path) -> None:

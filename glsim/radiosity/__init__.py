@@ -41,3 +41,7 @@ def __getattr__(name: str) -> Any:
     from glsim.names import missing
 
     raise missing(__name__, name, _HOME)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_HOME})

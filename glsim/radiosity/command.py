@@ -176,18 +176,9 @@ def _numbered(name: str, view: int, views: list[int]) -> str:
 def _print(report: dict[str, Any]) -> None:
     from rich.table import Table
 
+    from glsim.radiosity.result import summary
+
     table = Table(show_header=False, title=report["scene"], title_justify="left")
-    mean, most, leak = (100.0 * report[name] for name in ("row_sum_error_mean", "row_sum_error_max", "leak"))
-    sums = f"rows sum to 1 within {mean:.4f} % in the mean, {most:.2f} % at most; {max(leak, 0.0):.3f} % escapes"
-    solved = f"{report['iterations']} iterations, residual {report['residual']:.2g}"
-    rows = [
-        ("patches", f"{report['n']}, drawn as {report['triangles']} triangles"),
-        ("form factors", f"{report['method']}; {sums}; reciprocal within {report['reciprocity']:.1g}"),
-        ("system", f"{report['solver']}, {solved}, energy balance {report['energy_balance']:.6f}"),
-        ("seconds", ", ".join(f"{stage} {value:.2f}" for stage, value in report["seconds"].items())),
-        *(("note", note) for note in report["notes"]),
-        ("wrote", ", ".join(report["outputs"])),
-    ]
-    for row in rows:
+    for row in (*summary(report), ("wrote", ", ".join(report["outputs"]))):
         table.add_row(*row)
     console().print(table)

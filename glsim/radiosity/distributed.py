@@ -138,6 +138,9 @@ class Blocks:
         """(n,): 1 in a closed scene, less where light escapes."""
         return np.asarray(self.times(np.ones((len(self.patches), 3)))[:, 0] / self.patches.area)
 
+    def __repr__(self) -> str:
+        return f"<Blocks of {self.patches.scene.name}: {len(self.blocks)} on {self.client.scheduler.address}>"
+
     @cached_property
     def visibility(self) -> Visibility:
         """Rays on this machine."""

@@ -39,7 +39,7 @@ METHODS = {
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class FormFactors:
     """S: (n, n) float32, symmetric.  visibility: rays in the scene, for what is asked later.  seconds: by stage.
     error: (n, n) standard errors of S, for "monte-carlo"."""
@@ -50,6 +50,9 @@ class FormFactors:
     method: str
     seconds: dict[str, float] = field(default_factory=dict)
     error: NDArray[np.float32] | None = None
+
+    def __repr__(self) -> str:
+        return f"<FormFactors of {self.patches.scene.name}: {len(self.S)} x {len(self.S)}, {self.method}>"
 
     def row(self, i: int) -> Float:
         """F[i, :], (n,)."""

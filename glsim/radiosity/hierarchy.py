@@ -35,7 +35,7 @@ SENDERS = 4000  # about as many nodes send light to a point
 VARIES = 0.1  # by so much, it is assumed, the radiosity of a node's parts differs
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Tree:
     """Quadtrees over patches.
 
@@ -47,6 +47,9 @@ class Tree:
     parent: Int
     child: Int
     levels: tuple[int, ...]
+
+    def __repr__(self) -> str:
+        return f"<Tree of {self.nodes.scene.name}: {len(self.nodes)} nodes, {len(self.leaves)} elements>"
 
     @cached_property
     def leaves(self) -> Int:
@@ -109,7 +112,7 @@ def tree_of(scene: Scene, count: int) -> Tree:
     return tree_over(subdivide(scene, length=length * 2.0**depth), length)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Links:
     """ends: (k, 2) nodes; S: (k,) float32, A_p F_pq = A_q F_qp; tilt: (k, 2, 3) float32, how the form factor changes
     over either end, see sweep.along_links.  visibility: rays in the scene, for what is asked later.  patches: the
@@ -123,6 +126,9 @@ class Links:
     accuracy: float
     seconds: dict[str, float] = field(default_factory=dict)
     method: str = "hierarchical"
+
+    def __repr__(self) -> str:
+        return f"<Links of {self.tree.nodes.scene.name}: {len(self.S)} between {len(self.tree.nodes)} nodes>"
 
     @cached_property
     def patches(self) -> Patches:

@@ -15,7 +15,7 @@ INWARD = 0.02  # how far a vertex at a border is moved into the largest patch it
 SAME = 1e-7  # of the scene's size: this near, points are one vertex
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Mesh:
     """Triangles without T-vertices.
 
@@ -30,6 +30,9 @@ class Mesh:
     triangles: Int
     triangle_patch: Int
     corners: Int
+
+    def __repr__(self) -> str:
+        return f"<Mesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
 
 
 @dataclass(frozen=True)

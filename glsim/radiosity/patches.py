@@ -15,7 +15,7 @@ Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Patches:
     """n patches, convex and planar with three or four corners.
 
@@ -35,6 +35,9 @@ class Patches:
     size: Float
     rho: Float
     E: Float
+
+    def __repr__(self) -> str:
+        return f"<Patches of {self.scene.name}: {len(self)}>"
 
     def __len__(self) -> int:
         return len(self.rings)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+from base64 import b64encode
 from dataclasses import dataclass, field
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -26,7 +28,7 @@ OPEN = 5e-3  # share of the light that escapes, above which a scene is not just 
 BLIND = 1e-3  # row sums of patches that see nothing
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Radiosity:
     """The solution of a scene.
 
@@ -163,8 +165,21 @@ class Radiosity:
             raise SceneError(f"{self.factors.method} form factors are no matrix that could be shown")
         return matrix(self.factors.F, size)
 
+    def __repr__(self) -> str:
+        name, n, last = self.patches.scene.name, len(self.patches), self.steps[-1]
+        solved = f"{self.solver}, {last.iteration} iterations, residual {last.residual:.2g}"
+        return f"<Radiosity of {name}: {n} patches, {self.factors.method}, {solved}>"
+
     def _repr_png_(self) -> bytes | None:
         return self.picture()._repr_png_()
+
+    def _repr_html_(self) -> str:
+        """The picture, and the report as a table."""
+        shown = b64encode(self._repr_png_() or b"").decode()
+        lines = [(escape(name), escape(text)) for name, text in summary(self.report())]
+        rows = "".join(f"<tr><td>{name}</td><td>{text}</td></tr>" for name, text in lines)
+        picture = f'<img src="data:image/png;base64,{shown}" alt="{escape(self.patches.scene.name)}">'
+        return f"{picture}<table>{rows}</table>"
 
     # ------------------------------------------------------------ files
 
@@ -221,6 +236,20 @@ def _noticed(patches: Patches, sums: Float, leak: float) -> list[str]:
     elif (poor := int((sums < 0.9).sum())) > 0:
         notes.append(f"patches of which a part is inside of bodies, so that their rows do not sum to 1: {poor}")
     return notes
+
+
+def summary(report: dict[str, Any]) -> list[tuple[str, str]]:
+    """A report as names and sentences."""
+    mean, most, leak = (100.0 * report[name] for name in ("row_sum_error_mean", "row_sum_error_max", "leak"))
+    sums = f"rows sum to 1 within {mean:.4f} % in the mean, {most:.2f} % at most; {max(leak, 0.0):.3f} % escapes"
+    solved = f"{report['iterations']} iterations, residual {report['residual']:.2g}"
+    return [
+        ("patches", f"{report['n']}, drawn as {report['triangles']} triangles"),
+        ("form factors", f"{report['method']}; {sums}; reciprocal within {report['reciprocity']:.1g}"),
+        ("system", f"{report['solver']}, {solved}, energy balance {report['energy_balance']:.6f}"),
+        ("seconds", ", ".join(f"{stage} {value:.2f}" for stage, value in report["seconds"].items())),
+        *(("note", note) for note in report["notes"]),
+    ]
 
 
 def look(view: View, scene: Scene) -> None:

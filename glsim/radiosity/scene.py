@@ -40,7 +40,7 @@ class View(NamedTuple):
     fov: float = 45.0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Scene:
     """rings: convex polygons (k, 3), k >= 3; material: of each, a number in ``materials``; group: of each, the number
     of the object it belongs to (for smooth normals); views: the first is the usual one; notes: what was mended."""
@@ -52,6 +52,10 @@ class Scene:
     views: tuple[View, ...] = ()
     group: tuple[int, ...] = ()
     notes: tuple[str, ...] = field(default=())
+
+    def __repr__(self) -> str:
+        polygons, lamps = len(self.rings), len(self.emitters)
+        return f"<Scene {self.name}: {polygons} polygons, {lamps} emitting, {len(self.materials)} materials>"
 
     @property
     def size(self) -> float:
