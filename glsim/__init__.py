@@ -15,19 +15,19 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-__version__ = "0.1.0"
+from glsim.version import __version__ as __version__
 
 if TYPE_CHECKING:
     from glsim.machine.frame import Frame as Frame
+    from glsim.play.capture import capture as capture
+    from glsim.play.capture import program_source as program_source
+    from glsim.play.frames import frame_of as frame_of
     from glsim.render.context import Offscreen as Offscreen
     from glsim.render.context import offscreen as offscreen
     from glsim.render.device import NoDeviceError as NoDeviceError
-    from glsim.study.capture import capture as capture
-    from glsim.study.capture import program_source as program_source
     from glsim.study.compare import Comparison as Comparison
     from glsim.study.compare import compare as compare
     from glsim.study.explain import explain as explain
-    from glsim.study.frames import frame_of as frame_of
     from glsim.study.probe import Probe as Probe
     from glsim.study.probe import probe as probe
     from glsim.study.terms import Terms as Terms
@@ -39,12 +39,12 @@ _HOME = {
     "Offscreen": "glsim.render.context",
     "NoDeviceError": "glsim.render.device",
     "Frame": "glsim.machine.frame",
-    "capture": "glsim.study.capture",
-    "program_source": "glsim.study.capture",
+    "capture": "glsim.play.capture",
+    "program_source": "glsim.play.capture",
     "Comparison": "glsim.study.compare",
     "compare": "glsim.study.compare",
     "explain": "glsim.study.explain",
-    "frame_of": "glsim.study.frames",
+    "frame_of": "glsim.play.frames",
     "Probe": "glsim.study.probe",
     "probe": "glsim.study.probe",
     "Terms": "glsim.study.terms",

@@ -9,13 +9,16 @@ import argparse
 import json
 import os
 import re
+import signal
 import sys
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from glsim.machine.errors import GLError
-from glsim.options import camera, check_picture_name, console, count, light, number, rectangle, size
+from glsim.options import camera, check_picture_name, console, count, light, number, positive, rectangle, size
 
 if TYPE_CHECKING:
     from glsim.machine.frame import Frame
@@ -27,6 +30,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     split = words.index("--") if "--" in words else len(words)  # what follows is for the program that is run
     options = _parser().parse_args(words[:split])
     options.arguments = words[split + 1 :]
+    with _ending_on_signals() as signals:
+        code = _do(options)
+    return 128 + signals[0] if signals else code
+
+
+def _do(options: argparse.Namespace) -> int:
     try:
         return int(options.run(options))
     except KeyboardInterrupt:
@@ -43,6 +52,29 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 1
 
 
+@contextmanager
+def _ending_on_signals() -> Iterator[list[int]]:
+    """SIGTERM and SIGHUP end a command as Ctrl-C does, so that nothing is lost or half-done and no process stays.
+
+    Yields the list of those that came.
+    """
+    came: list[int] = []
+
+    def interrupt(number: int, frame: object) -> None:
+        came.append(number)
+        raise KeyboardInterrupt
+
+    numbers = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    if threading.current_thread() is not threading.main_thread():
+        numbers = []
+    before = {n: signal.signal(n, interrupt) for n in numbers if signal.getsignal(n) is signal.SIG_DFL}
+    try:
+        yield came
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
 def _with_negative_numbers(words: Sequence[str]) -> list[str]:
     """ "--light", "-2,3,4" -> "--light=-2,3,4": argparse would take -2,3,4 for an option."""
     joined: list[str] = []
@@ -55,8 +87,8 @@ def _with_negative_numbers(words: Sequence[str]) -> list[str]:
 
 
 def _parser() -> argparse.ArgumentParser:
-    from glsim import __version__
     from glsim.radiosity import command
+    from glsim.version import __version__
 
     parser = argparse.ArgumentParser(
         prog="glsim", description="OpenGL's fixed-function pipeline, to teach and to learn."
@@ -188,7 +220,7 @@ def _add_run(commands: Any) -> None:
     p.add_argument("--lobe", choices=("blinn", "phong"), help="the specular lobe: (N.H)^n or (R.V)^n")
     p.add_argument("--window", action="store_true", help="show real windows (needs the package glfw)")
     p.add_argument("--real-time", action="store_true", help="let the clock run, instead of 20 ms a step")
-    p.add_argument("--timeout", type=float, default=None, metavar="SECONDS",
+    p.add_argument("--timeout", type=positive, default=None, metavar="SECONDS",
                    help="stop the program after this time (default: 60; with --window never)")  # fmt: skip
     p.add_argument("--gif", metavar="FILE", help="an animation of all steps")
     p.add_argument("--mp4", metavar="FILE", help="an animation of all steps (needs the package imageio-ffmpeg)")
@@ -198,9 +230,12 @@ def _add_run(commands: Any) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from glsim.study.play import Plan
-    from glsim.study.run import animate, events_from, run
+    from glsim.play.plan import Plan
+    from glsim.play.run import animate, check_animation, events_from, run
 
+    animations = {kind: Path(name) for kind in ("gif", "mp4") if (name := getattr(options, kind)) is not None}
+    for kind, target in animations.items():
+        check_animation(kind, target)
     out = options.out or (None if options.window else "frames")
     plan = Plan(
         options.script, options.arguments, out, options.frames, events_from(options.keys, options.events),
@@ -209,9 +244,14 @@ def _run(options: argparse.Namespace) -> int:
     )  # fmt: skip
     timeout = options.timeout or (None if options.window else 60.0)
     record = run(plan, timeout)
-    for target in filter(None, (options.gif, options.mp4)):
-        first = [Path(out or ".") / name for name in record["pictures"] if "_w" not in name]
-        animate(first, Path(target))
+    first = [Path(out or ".") / name for name in record["pictures"] if "_w" not in name]
+    code = {"ok": 0, "interrupted": 130}.get(record["status"], 1)
+    for kind, target in animations.items():
+        try:
+            animate(first, target)
+        except (ValueError, OSError) as error:
+            record["notes"].append(f"--{kind}: {error}")
+            code = code or 1
     if options.json:
         print(json.dumps(record))
     else:
@@ -219,7 +259,7 @@ def _run(options: argparse.Namespace) -> int:
             print(f"glsim run: {note}", file=sys.stderr)
         where = f", pictures in {out}" if record["pictures"] else ""
         print(f"{options.script}: {record['status']}, {record['frames']} frames{where}")
-    return 0 if record["status"] == "ok" else 1
+    return code
 
 
 # ---------------------------------------------------------------- probe, terms, explain, trace
@@ -236,14 +276,14 @@ def _add_study(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
     p.add_argument("--events", default=None, metavar='"key a;..."', help="events of a program, as for glsim run")
     p.add_argument("--size", type=size, default=None, metavar="N",
                    help="pixels of the picture (default: 512, or as a program asks)")  # fmt: skip
-    p.add_argument("--timeout", type=float, default=None, metavar="SECONDS", help="for a program (default: 60)")
+    p.add_argument("--timeout", type=positive, default=None, metavar="SECONDS", help="for a program (default: 60)")
     p.add_argument("--json", action="store_true", help="print one JSON object")
     return p
 
 
 def _frame_of(options: argparse.Namespace, calls: bool) -> Frame:
-    from glsim.study.frames import frame_of
-    from glsim.study.run import events_from
+    from glsim.play.frames import frame_of
+    from glsim.play.run import events_from
 
     given = [name for name in ("frame", "events", "timeout") if getattr(options, name) is not None]
     if given and not options.what.endswith(".py"):

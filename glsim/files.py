@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -43,3 +44,19 @@ def write_atomically(path: str | os.PathLike[str], save: Callable[[str], object]
 
 def write_text(path: str | os.PathLike[str], text: str) -> None:
     write_atomically(path, lambda name: Path(name).write_text(text, encoding="utf-8"))
+
+
+def read_regular(path: str | os.PathLike[str], most: int) -> bytes:
+    """The bytes of a regular file of at most ``most`` bytes; links are not followed, and a FIFO does not block.
+
+    For files that a program wrote which is not trusted.  Raises ValueError for anything else, OSError as ``open`` does.
+    """
+    flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+    with open(os.open(path, flags), "rb") as file:
+        facts = os.fstat(file.fileno())
+        if not stat.S_ISREG(facts.st_mode):
+            raise ValueError(f"{path} is no regular file")
+        data = file.read(most + 1)
+    if len(data) > most:
+        raise ValueError(f"{path} has more than {most} bytes")
+    return data

@@ -153,6 +153,8 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     (lambda: glDrawElements(GL_POINTS, 1, GL_UNSIGNED_INT, ctypes.c_void_p(8)), "glDrawElements: indices must be"),
     (lambda: glBufferData(GL_ARRAY_BUFFER, pointer(1, 2), GL_STATIC_DRAW), "glBufferData: .* must be"),
     (lambda: glDeleteTextures(pointer(1, 2)), "glDeleteTextures: n must be a number"),
+    (lambda: glVertexPointerf(pointer(1, 2, 3)), "glVertexPointerf: an array of numbers is needed"),
+    (lambda: glTexImage2Df(GL_TEXTURE_2D, 0, GL_RGB, 0, GL_RGB, [[1, 2], [3]]), "glTexImage2Df: an array of numbers"),
     (lambda: glMaterial(), "glMaterial takes 3 arguments .face, pname, params., not 0"),
     (lambda: glLight(GL_LIGHT0), "glLight takes 3 arguments .light, pname, params., not 1"),
     (lambda: glRotatef(10**400, 0, 0, 1), "glRotatef: angle must be a number"),

@@ -6,7 +6,6 @@ import json
 import os
 import subprocess
 import sys
-import threading
 
 import numpy as np
 import pytest
@@ -182,21 +181,6 @@ def test_a_released_context_says_so(screen: glsim.Offscreen) -> None:
         other.pixels()
     screen.make_current()
     glFlush()
-
-
-def test_another_thread_is_refused(screen: glsim.Offscreen) -> None:
-    said = []
-
-    def draw() -> None:
-        try:
-            screen.pixels()
-        except RuntimeError as error:
-            said.append(str(error))
-
-    thread = threading.Thread(target=draw)
-    thread.start()
-    thread.join()
-    assert said == ["a context can only be drawn with in the thread that made it"]
 
 
 def test_egl_and_osmesa_side_by_side() -> None:

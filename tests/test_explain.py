@@ -11,8 +11,8 @@ import pytest
 import glsim
 from glsim.gl import *
 from glsim.glu import gluLookAt
+from glsim.play.capture import capture
 from glsim.render import programs
-from glsim.study.capture import capture
 from glsim.study.explain import Explanation, Setting
 from glsim.study.glsl import specialised
 from tests.oracle import PROGRAMS
@@ -199,3 +199,72 @@ def test_the_folded_source_has_only_what_runs(screen: glsim.Offscreen) -> None:
     assert "blinn_torrance" not in phong["fragment"]
     assert "spotlight(" not in gouraud["vertex"]
     assert len(gouraud["fragment"].splitlines()) < 40
+
+
+def drawn_in_all_ways() -> None:
+    """A display list, wide lines, glVertex4, outlines, merged objects, materials inside: each kind of program."""
+    glNewList(1, GL_COMPILE)
+    quad()
+    glEndList()
+    glCallList(1)
+    glColor3f(1, 0, 0)
+    for _ in range(3):
+        glTranslatef(0.1, 0, 0)
+        glCallList(1)
+    glLineWidth(3)
+    glBegin(GL_LINES)
+    for w in (1, 2, 3, 4):
+        glVertex4f(0.1 * w, -0.2, 0, w)
+    glEnd()
+    glEnable(GL_LINE_STIPPLE)
+    quad()
+    glRectf(0, 0, 1, 1)
+    for _ in range(3):
+        glRotatef(10, 0, 0, 1)
+        quad()
+    glEnable(GL_LIGHTING)
+    glEnable(GL_LIGHT0)
+    glShadeModel(GL_FLAT)
+    glEnable(GL_POLYGON_OFFSET_LINE)
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE)
+    quad()
+    glEnable(GL_LINE_SMOOTH)
+    quad()
+    glPolygonMode(GL_FRONT_AND_BACK, GL_POINT)
+    quad()
+    glPolygonMode(GL_FRONT, GL_FILL)
+    quad()
+    glBegin(GL_TRIANGLES)
+    for k in range(6):
+        glMaterialfv(GL_FRONT, GL_DIFFUSE, [k / 6, 0, 0, 1])
+        glVertex2f(k % 3, k * k % 3)
+    glEnd()
+
+
+@pytest.mark.parametrize("name", ["", *(name for k, name in enumerate(PROGRAMS) if k % 9 == 0)])
+def test_the_explained_programs_are_those_that_are_drawn(
+    name: str, screen: glsim.Offscreen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn = set()
+    program = screen._renderer.program
+    monkeypatch.setattr(screen._renderer, "program", lambda key: (drawn.add(key), program(key))[1])
+    with capture(calls=True) as frame:
+        PROGRAMS.get(name, drawn_in_all_ways)()
+    explained = {explanation.program for explanation in glsim.explain(frame)}
+    assert explained <= drawn
+    if not name:
+        assert {key.objects for key in explained} == {1, 256}
+        for field in ("wide_lines", "has_w", "object_color", "depth_offset", "smooth_lines", "lit_elsewhere"):
+            assert {getattr(key, field) for key in explained} == {True, False}, field
+
+
+def test_program_source_is_what_is_drawn(screen: glsim.Offscreen, monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn = []
+    program = screen._renderer.program
+    monkeypatch.setattr(screen._renderer, "program", lambda key: (drawn.append(key), program(key))[1])
+    glEnable(GL_LIGHTING)
+    glEnable(GL_FOG)
+    text = glsim.program_source("fragment")
+    quad()
+    screen.pixels()
+    assert [programs.sources(key)["fragment"] for key in drawn] == [text]

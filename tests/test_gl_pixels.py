@@ -132,7 +132,7 @@ def test_the_pixel_mode_is_pushed_without_the_maps(screen: glsim.Offscreen) -> N
 
 
 def test_a_frame_with_pixels_can_be_drawn_again(screen: glsim.Offscreen) -> None:
-    from glsim.study.capture import capture
+    from glsim.play.capture import capture
 
     with capture() as frame:
         start()

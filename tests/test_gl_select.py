@@ -13,8 +13,8 @@ import glsim
 from glsim.gl import *
 from glsim.gl import GLError
 from glsim.machine.commands import COMMANDS
+from glsim.play.capture import capture
 from glsim.render.native import Native, pass_on
-from glsim.study.capture import capture
 from tests.oracle.programs import SHINY, ball, camera, lamp, material
 
 

@@ -8,7 +8,7 @@ import pytest
 import glsim
 from glsim.gl import *
 from glsim.machine.current import make_current
-from glsim.study.capture import capture
+from glsim.play.capture import capture
 
 MODES = (
     GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,

@@ -12,8 +12,12 @@ import tarfile
 import zipfile
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PIL import Image
+
+import glsim
+from glsim.play.frames import frame_of
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -42,7 +46,8 @@ def test_the_wheel_has_shaders_and_lessons_and_nothing_else(dist: Path) -> None:
     for kind in ("shaders", "lessons"):
         for path in (ROOT / kind).iterdir():
             assert path.is_dir() or f"glsim/{kind}/{path.name}" in names
-    assert "glsim/gl/__init__.pyi" in names
+    assert {f"glsim/{library}/__init__.pyi" for library in ("gl", "glu", "glut")} <= set(names)
+    assert {"glsim/py.typed", "glsim/machine/manual.txt"} <= set(names)
     assert not [name for name in names if not name.startswith(("glsim/", "glsim-"))]
     with tarfile.open(next(dist.glob("*.tar.gz"))) as sdist:
         inside = {name.split("/")[1] for name in sdist.getnames() if "/" in name}
@@ -85,6 +90,20 @@ def test_python_of_the_readme(program: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("number", [1, 2])
 def test_short_programs_of_the_readme(number: int, tmp_path: Path) -> None:
     run(sys.executable, "-c", blocks("py")[number], cwd=tmp_path, PYTHONPATH=str(ROOT))
+
+
+def test_pictures_of_the_readme_are_bright_whole_and_without_mistakes(tmp_path: Path) -> None:
+    (tmp_path / "teapot.py").write_text(blocks("py")[0])
+    fan, teapot = blocks("python")[0], frame_of(tmp_path / "teapot.py", calls=True)
+    body = fan.partition("screen = ")[2].partition("\n")[2].partition("screen.save")[0]
+    head = fan.partition("screen = ")[0]
+    for frame in (frame_of(lambda: exec(head + body, {}), calls=True), teapot):
+        assert glsim.trace(frame).mistakes == []
+        pixels = glsim.terms(frame).picture[..., :3].astype(int)
+        lit = pixels.max(axis=2) > 40
+        assert lit.mean() > 0.15
+        assert pixels[lit].mean() > 80
+        assert not np.concatenate([lit[0], lit[-1], lit[:, 0], lit[:, -1]]).any()
 
 
 def test_glsim_commands_of_the_readme(tmp_path: Path) -> None:

@@ -10,9 +10,9 @@ import pytest
 import glsim
 from glsim.files import data_folder
 from glsim.gl import *
+from glsim.play.capture import capture
 from glsim.render import programs
 from glsim.render.batch import Plan, plans
-from glsim.study.capture import capture
 
 
 def key() -> programs.ProgramKey:

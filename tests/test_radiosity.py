@@ -801,9 +801,14 @@ def test_another_scenes_checkpoint_is_left_alone(tmp_path: Path) -> None:
     before = Path(target).read_bytes()
     assert np.array_equal(compute(ours.patches, checkpoint=target).S, ours.S)
     assert Path(target).read_bytes() == before
-    Path(target).write_text("nonsense")
-    with pytest.raises(SceneError, match="is no checkpoint: name another file, or remove it"):
-        compute(ours.patches, checkpoint=target)
+    ours.keep(target)
+    whole = Path(target).read_bytes()
+    np.save(tmp_path / "array.npy", np.zeros(3))
+    array = (tmp_path / "array.npy").read_bytes()
+    for content in (b"nonsense", b"", b"PK", whole[:-2000], whole[:3000], array):
+        Path(target).write_bytes(content)
+        with pytest.raises(SceneError, match="is no checkpoint: name another file, or remove it"):
+            compute(ours.patches, checkpoint=target)
 
 
 def run(words: str) -> int:

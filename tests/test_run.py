@@ -18,9 +18,9 @@ import pytest
 from PIL import Image
 
 from glsim.cli import main
-from glsim.study.play import Plan
-from glsim.study.python2 import converted, is_python_3
-from glsim.study.run import events_from, run
+from glsim.play.plan import Plan
+from glsim.play.python2 import converted, is_python_3
+from glsim.play.run import events_from, run
 
 ROOT = Path(__file__).parents[1]
 WINDOW = """
@@ -486,4 +486,4 @@ def test_later_versions_can_be_asked_for(tmp_path: Path) -> None:
         """,
     )
     record = play(tmp_path, script)
-    assert record["errors"][0]["error"].startswith("RuntimeError: glCreateShader is OpenGL 2 or later")
+    assert record["errors"][0]["error"].startswith("RuntimeError: glCreateShader came with OpenGL 2.0")

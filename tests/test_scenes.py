@@ -12,6 +12,7 @@ from glsim.scenes import BUILT_IN, MATERIALS, MeshError, material, open_scene
 from glsim.scenes.load import from_trimesh, load
 from glsim.scenes.mesh import Mesh, with_normals
 from glsim.scenes.shapes import patches, sphere, teapot, torus
+from glsim.study.compare import compare
 
 
 def area_vectors(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
@@ -73,6 +74,19 @@ def test_smooth_surfaces_get_smooth_normals_and_boxes_keep_their_edges() -> None
     mesh = with_normals(box.vertices, box.faces.astype("u4"))
     assert len(mesh.positions) == 36
     assert np.allclose(np.abs(mesh.normals).max(axis=1), 1)
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_built_in_scenes_show_what_they_are_for(name: str) -> None:
+    """Flat, Gouraud and Phong differ so that one sees it, with either lobe, and nothing is cut at the edges."""
+    sheet = compare(name, size=128)
+    for lobe in ("blinn", "phong"):
+        flat, gouraud, phong = (sheet.images[lobe, mode].astype(int) for mode in ("flat", "gouraud", "phong"))
+        assert abs(gouraud - flat).max() > 30, lobe
+        between = abs(phong - gouraud).max()
+        assert between < 24 if name == "terrain" else between > 40, lobe  # terrain is so fine that they agree
+        edge = np.concatenate([phong[0], phong[-1], phong[:, 0], phong[:, -1]])
+        assert (edge == edge[0]).all(), lobe
 
 
 # ---------------------------------------------------------------- files

@@ -15,8 +15,8 @@ from glsim import shading
 from glsim.gl import *
 from glsim.machine.stage import vertex_stage
 from glsim.machine.state import Light
+from glsim.play.capture import capture
 from glsim.render.native import Native
-from glsim.study.capture import capture
 
 SEEDS = st.integers(0, 2**32 - 1)
 Z = np.array([0.0, 0.0, 1.0])

@@ -10,8 +10,8 @@ from PIL import Image
 
 import glsim
 from glsim.gl import *
-from glsim.study.capture import capture
-from glsim.study.compare import shaded
+from glsim.play.capture import capture
+from glsim.play.reshade import shaded
 from tests.oracle import PROGRAMS
 
 

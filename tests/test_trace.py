@@ -7,14 +7,18 @@ import math
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PIL import Image
 
 import glsim
 from glsim.gl import *
 from glsim.glu import gluLookAt, gluPerspective
 from glsim.glut.shapes import glutSolidCube
-from glsim.study.capture import capture
-from glsim.study.mistakes import DIAGNOSES
+from glsim.play.capture import capture
+from glsim.play.plan import Plan
+from glsim.play.run import run
+from glsim.study.mistakes import CHECKED, DIAGNOSES
 
 Program = Callable[[bool], None]
 BAD: dict[str, Program] = {}
@@ -136,6 +140,38 @@ def stale(mended: bool) -> None:
     glRectf(-0.5, -0.5, 0.5, 0.5)
 
 
+@mistake("normals-zero")
+def no_direction(mended: bool) -> None:
+    lit()
+    glNormal3f(0, 0, 1 if mended else 0)
+    glRectf(-0.5, -0.5, 0.5, 0.5)
+
+
+@mistake("up-along-view")
+def from_above(mended: bool) -> None:
+    gluLookAt(0, 0.5, 0, 0, 0, 0, *((0, 0, -1) if mended else (0, 1, 0)))
+    lit()
+    glutSolidCube(0.5)
+
+
+@mistake("position-of-three")
+def three_numbers(mended: bool) -> None:
+    lit()
+    glLightfv(GL_LIGHT0, GL_POSITION, (1, 2, 3, 1) if mended else (1, 2, 3))
+    glutSolidCube(0.5)
+
+
+@mistake("projection-in-modelview")
+def bent(mended: bool) -> None:
+    lit()
+    if mended:
+        glMatrixMode(GL_PROJECTION)
+    gluPerspective(45, 1, 1, 20)
+    glMatrixMode(GL_MODELVIEW)
+    glTranslatef(0, 0, -4)
+    glutSolidCube(1)
+
+
 def kinds(program: Program, mended: bool) -> list[str]:
     with capture(calls=True) as frame:
         program(mended)
@@ -159,7 +195,127 @@ def test_a_diagnosis_is_silent_on_the_mended_program(kind: str, screen: glsim.Of
 
 
 def test_every_diagnosis_is_tested() -> None:
-    assert {*BAD, "error"} == set(DIAGNOSES)
+    assert {*BAD, "error", "missing-buffer"} == set(DIAGNOSES) == set(CHECKED)
+
+
+@pytest.mark.parametrize("slices", [3, 4, 5, 6, 7, 8, 10, 12, 16, 24])
+def test_coarse_spheres_lose_their_highlight(slices: int) -> None:
+    assert [entry.kind for entry in glsim.trace(f"sphere:{slices}").mistakes] == ["highlight-lost"]
+
+
+@pytest.mark.parametrize("slices", [64, 96])
+def test_fine_spheres_keep_it(slices: int) -> None:
+    assert glsim.trace(f"sphere:{slices}").mistakes == []
+
+
+def test_a_camera_at_the_point_it_looks_at(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        gluLookAt(0, 0, 1, 0, 0, 1, 0, 1, 0)
+        lit()
+        glutSolidCube(0.5)
+    (found,) = glsim.trace(frame).mistakes
+    assert found.kind == "up-along-view"
+    assert found.sentence.startswith("gluLookAt(0, 0, 1, 0, 0, 1, 0, 1, 0): up is parallel")
+
+
+def test_a_matrix_that_flattens(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        lit()
+        glScalef(0, 0, 0)
+        glNormal3f(0, 0, 1)
+        glRectf(-0.5, -0.5, 0.5, 0.5)
+    (found,) = glsim.trace(frame).mistakes
+    assert "the modelview matrix flattens the scene" in found.sentence
+
+
+def test_three_numbers_where_the_memory_goes_on(screen: glsim.Offscreen) -> None:
+    """PyOpenGL passes the array's address on, and the driver reads the number behind it; here it is 0."""
+    with capture(calls=True) as frame:
+        glLightfv(GL_LIGHT0, GL_POSITION, np.array([1, 2, 3, 99], np.float32)[:3])
+        glLight(GL_LIGHT1, GL_POSITION, (1, 2, 3))
+        glLightfv(GL_LIGHT2, GL_SPOT_DIRECTION, (0, 0, -1))
+    assert glGetLightfv(GL_LIGHT0, GL_POSITION).tolist() == [1, 2, 3, 0]
+    found = glsim.trace(frame).mistakes
+    assert [entry.kind for entry in found] == ["position-of-three"] * 2
+    assert "GL_LIGHT1 has three numbers" in found[1].sentence
+
+
+def test_colours_that_lighting_ignores_are_named(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glColor3f(1, 0, 0)  # 0: seen
+        glRectf(-1, -1, 0, 0)
+        lit()
+        glColor3f(0, 1, 0)  # ignored by the first, seen by the second
+        glRectf(-1, -1, 0, 0)
+        glDisable(GL_LIGHTING)
+        glRectf(-1, -1, 0, 0)
+        glEnable(GL_LIGHTING)
+        glColor3f(0, 0, 1)  # ignored
+        glRectf(-1, -1, 0, 0)
+        glColor3f(0, 1, 1)  # kept for the raster position
+        glRectf(-1, -1, 0, 0)
+        glWindowPos2i(3, 3)
+        glEnable(GL_COLOR_MATERIAL)
+        glColor3f(1, 1, 1)  # the material
+        glRectf(-1, -1, 0, 0)
+    noted = [entry.text for entry in glsim.trace(frame).entries if entry.note]
+    assert noted == ["glColor3f(0, 0, 1)"]
+    assert "glColor has no effect: GL_LIGHTING is on" in next(e.note for e in glsim.trace(frame).entries if e.note)
+
+
+WITHOUT_BUFFERS = """
+from OpenGL.GL import *
+from OpenGL.GLUT import *
+def display():
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)
+    glEnable(GL_DEPTH_TEST)
+    glColor3f(1, 0, 0)
+    glRectf(-0.9, -0.9, 0.9, 0.9)
+    glTranslatef(0, 0, 0.5)
+    glColor3f(0, 1, 0)
+    glRectf(-0.5, -0.5, 0.5, 0.5)  # behind the red one
+    glDisable(GL_DEPTH_TEST)
+    glEnable(GL_STENCIL_TEST)
+    glStencilFunc(GL_EQUAL, 1, 1)
+    glColor3f(0, 0, 1)
+    glRectf(-0.2, -0.2, 0.2, 0.2)
+    glutSwapBuffers()
+    print(glGetIntegerv(GL_DEPTH_BITS), glGetIntegerv(GL_STENCIL_BITS), file=open("bits.txt", "w"))
+glutInit()
+glutInitDisplayMode(GLUT_DOUBLE MODE)
+glutInitWindowSize(100, 100)
+glutCreateWindow("t")
+glutDisplayFunc(display)
+glutMainLoop()
+"""
+
+
+@pytest.mark.parametrize(
+    ("mode", "bits", "at_30", "at_50", "missing"),
+    [
+        ("", "0 0", (0, 255, 0), (0, 0, 255), {(6, "depth"), (13, "stencil")}),
+        ("| GLUT_DEPTH", "24 0", (255, 0, 0), (0, 0, 255), {(13, "stencil")}),
+        ("| GLUT_STENCIL", "24 8", (255, 0, 0), (255, 0, 0), set()),
+    ],
+)
+def test_buffers_that_were_not_asked_for(
+    mode: str, bits: str, at_30: tuple[int, ...], at_50: tuple[int, ...], missing: set[tuple[int, str]], tmp_path: Path
+) -> None:
+    """As freeglut and Mesa: GLUT_STENCIL brings depth along; a test without its buffer has no effect, which is said."""
+    script = tmp_path / "buffers.py"
+    script.write_text(WITHOUT_BUFFERS.replace("MODE", mode))
+    record = run(Plan(str(script), out=str(tmp_path), count=True))
+    assert record["status"] == "ok"
+    assert (tmp_path / "bits.txt").read_text().split() == bits.split()
+    picture = np.asarray(Image.open(tmp_path / "frame_000.png"))
+    assert tuple(picture[30, 30]) == at_30
+    assert tuple(picture[50, 50]) == at_50
+    said = " ".join(record["notes"])
+    assert {kind for kind in ("depth", "stencil") if f"no {kind} buffer" in said} == {kind for _, kind in missing}
+    found = [entry for entry in glsim.trace(script).mistakes if entry.kind == "missing-buffer"]
+    assert {(entry.where.line, kind) for entry in found for kind in ("depth", "stencil")
+            if entry.where is not None and f"no {kind} buffer" in entry.sentence} == missing  # fmt: skip
+    assert tuple(glsim.probe(script, 30, 30).pixel[:3]) == at_30
 
 
 @pytest.mark.parametrize("angle", [math.radians(30), math.pi, 1.5708, -0.785, math.radians(45) * 3, math.radians(17)])

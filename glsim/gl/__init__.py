@@ -46,6 +46,7 @@ from glsim.machine import constants
 from glsim.machine.commands import COMMANDS
 from glsim.machine.errors import GLError
 from glsim.machine.errors import NoContextError as NoContextError
+from glsim.machine.manual import doc
 from glsim.machine.record import implementations
 
 error = GLError  # PyOpenGL's other name for it
@@ -88,6 +89,9 @@ def _functions() -> dict[str, Any]:
     functions.update(typed_arrays(functions))
     for kind in ("Boolean", "Integer", "Float", "Double"):
         functions[f"glGet{kind}"] = functions[f"glGet{kind}v"]
+    for function in functions.values():
+        named = [word for word, p in inspect.signature(function).parameters.items() if p.kind is not p.VAR_POSITIONAL]
+        function.__doc__ = doc(function.__name__, tuple(named))
     return functions
 
 

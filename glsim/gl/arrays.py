@@ -313,8 +313,7 @@ def _add(m: Machine, mode: int, first: int, count: int, indices: Any) -> None:
             kept.clear()
         current = {name: np.array([value], np.float32) for name, value in m.current.items()}
         kept[key] = Vertices(found[0], {**current, **found[1]}, [], static=True)
-    draw = Draw(mode, 0, count, indices, m.matrices(), m.material, m.snapshot(), kept[key])
-    m.packets.append(draw)
+    m.add(Draw(mode, 0, count, indices, m.matrices(), m.material, m.snapshot(), kept[key]))
 
 
 MOST_KEPT = 64

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.gl.texture import given_names, names_from, new_names
+from glsim.gl.texture import free_name, given_names, names_from, new_names
 from glsim.machine.constants import (
     GL_ARRAY_BUFFER,
     GL_BUFFER_ACCESS,
@@ -74,7 +74,7 @@ def _bound(m: Machine, target: int) -> Buffer:
 
 def glGenBuffers(m: Machine, n: int, buffers: Any = None) -> Any:
     """As PyOpenGL: one name for n = 1, an array of names for more; or into ``buffers``."""
-    names = new_names(n, set(m.buffers))
+    names = new_names(m, "buffers", n, m.buffers.__contains__)
     m.buffers.update(dict.fromkeys(names))
     return given_names(names, buffers)
 
@@ -91,6 +91,8 @@ def glBindBuffer(m: Machine, target: int, buffer: int) -> None:
 def glDeleteBuffers(m: Machine, n: Any, buffers: Any = None) -> None:
     """glDeleteBuffers(n, names), or glDeleteBuffers(names)."""
     for name in names_from(n, buffers):
+        if name > 0:
+            free_name(m, "buffers", name)
         if m.buffers.pop(name, None) is not None:
             for field in FIELDS.values():
                 if getattr(m, field) == name:
@@ -213,7 +215,7 @@ ACTIVE = 0  # the key in m.queries of the name that is being counted
 
 def glGenQueries(m: Machine, n: int, ids: Any = None) -> Any:
     """As PyOpenGL: one name for n = 1, an array of names for more; or into ``ids``."""
-    names = new_names(n, set(m.queries))
+    names = new_names(m, "queries", n, m.queries.__contains__)
     m.queries.update(dict.fromkeys(names))
     return given_names(names, ids)
 
@@ -225,6 +227,7 @@ def glDeleteQueries(m: Machine, n: Any, ids: Any = None) -> None:
             glEndQuery(m, GL_SAMPLES_PASSED)
         if name > 0:
             m.queries.pop(name, None)
+            free_name(m, "queries", name)
 
 
 def glIsQuery(m: Machine, id: int) -> int:
@@ -245,7 +248,7 @@ def glBeginQuery(m: Machine, target: int, id: int) -> None:
         raise invalid_operation("id must be a name from glGenQueries, not 0")
     m.queries[int(id)] = Query()
     m.queries[ACTIVE] = int(id)
-    m.packets.append(QueryMark(True, m.queries[int(id)]))
+    m.add(QueryMark(True, m.queries[int(id)]))
 
 
 def glEndQuery(m: Machine, target: int) -> None:
@@ -253,7 +256,7 @@ def glEndQuery(m: Machine, target: int) -> None:
     active = m.queries.get(ACTIVE)
     if not active:
         raise invalid_operation("there is no glBeginQuery before this glEndQuery")
-    m.packets.append(QueryMark(False, m.queries[active]))
+    m.add(QueryMark(False, m.queries[active]))
     m.queries[ACTIVE] = 0
 
 

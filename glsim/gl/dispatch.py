@@ -14,36 +14,28 @@ from typing import Any
 
 import numpy as np
 
+from glsim.gl import immediate
 from glsim.gl.arguments import again, numbers, signed_colour
 from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
-from glsim.machine.current import on_switch
 from glsim.machine.errors import MISUSE, GLError, explained, show
 from glsim.machine.types import SUFFIXES
 
 Function = Callable[..., Any]
-m: Any
-errors = (GLError, MemoryError, *MISUSE)
-second = again  # the template's names: m, errors, second
+ERRORS = (GLError, MemoryError, *MISUSE)
 
-
-def _switch(machine: Any) -> None:
-    global m
-    m = machine
-
-
-on_switch(_switch)
-
+# `current` is a global of immediate.py, where all commands find the machine; m would hide glLoadMatrixf's argument
 _TEMPLATE = """
-def bind(name, body):
+def bind(name, body, errors, again):
     def command({arguments}{rest}):
-        if m.{flag}:
-            return m.{route}(name, ({tuple}{rest}))
+        machine = current
+        if machine.{flag}:
+            return machine.{route}(name, ({tuple}{rest}))
         try:
-            return body(m{call})
+            return body(machine{call})
         except errors as error:
-            return second(error, name, ({tuple}))
+            return again(error, name, ({tuple}))
     return command
 """
 _binders: dict[tuple[int, bool, bool], Function] = {}
@@ -67,7 +59,7 @@ def _binder(count: int, inside: bool, exact: bool) -> Function:
             route=route,
         )
         scope: dict[str, Any] = {}
-        exec(compile(source, f"<gl command of {count} arguments>", "exec"), globals(), scope)
+        exec(compile(source, f"<gl command of {count} arguments>", "exec"), vars(immediate), scope)
         _binders[count, inside, exact] = scope["bind"]
     return _binders[count, inside, exact]
 
@@ -84,14 +76,13 @@ def _signature(parameters: tuple[str, ...], defaults: tuple[Any, ...] | None) ->
 
 def public(command: Command, body: Function, parameters: tuple[str, ...], defaults: tuple[Any, ...] | None) -> Function:
     """A public function with the command's own name and argument names."""
-    made = _binder(len(parameters), command.inside, command.name in EXACT)(command.name, body)
+    made = _binder(len(parameters), command.inside, command.name in EXACT)(command.name, body, ERRORS, again)
     code = made.__code__
     made.__code__ = code.replace(
         co_name=command.name, co_varnames=(*parameters, *code.co_varnames[len(parameters) :]), co_qualname=command.name
     )
     made.__name__ = made.__qualname__ = command.name
     made.__module__ = "glsim.gl"
-    made.__doc__ = body.__doc__
     made.__defaults__ = defaults
     made.__signature__ = _signature(parameters, defaults)
     return made  # type: ignore[no-any-return]
@@ -161,7 +152,6 @@ def suffix_free(family: str, functions: dict[str, Function]) -> Function:
         call = _suffix_free_components(family, functions)
     call.__name__ = call.__qualname__ = family
     call.__module__ = "glsim.gl"
-    call.__doc__ = f"{family} with any number type and count: {', '.join(row.name for row in rows[:4])}, ..."
     return explained(family, call)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from math import comb
 from typing import Any, NamedTuple
 
@@ -27,6 +26,7 @@ from glsim.machine.constants import (
 )
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
 from glsim.machine.frame import ROW, ROW_BYTES
+from glsim.machine.kept import kept
 from glsim.machine.machine import Machine
 from glsim.machine.types import plain
 
@@ -318,7 +318,7 @@ def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> No
         m.add_draw(GL_QUADS if seen else GL_TRIANGLES, rows, columns, _strips(len(p), len(q), seen))
 
 
-@lru_cache(maxsize=32)
+@kept(64 * 1024 * 1024)
 def _strips(nu: int, nv: int, quads: bool) -> NDArray[np.uint32]:
     """The strips of a filled mesh of nu x nv points: as quads that end in the strips' provoking vertices (the fourth
     of each), or as the triangles of triangle strips."""

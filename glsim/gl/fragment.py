@@ -221,7 +221,7 @@ def glClear(m: Machine, mask: int) -> None:
     known = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT
     if mask & ~known:
         raise invalid_value("mask", mask, "a sum of GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT and the like")
-    m.packets.append(Clear(int(mask), m.snapshot(), m.accum_clear))
+    m.add(Clear(int(mask), m.snapshot(), m.accum_clear))
 
 
 def glClearAccum(m: Machine, r: float, g: float, b: float, a: float) -> None:
@@ -237,7 +237,7 @@ def glAccum(m: Machine, op: int, value: float) -> None:
     """The accumulation buffer: four float32 a pixel, so that nothing is rounded or clamped before GL_RETURN."""
     if op not in (GL_ACCUM, GL_LOAD, GL_RETURN, GL_MULT, GL_ADD):
         raise invalid_enum("op", op, "GL_ACCUM, GL_LOAD, GL_RETURN, GL_MULT or GL_ADD")
-    m.packets.append(Accum(int(op), float(value), m.snapshot()))
+    m.add(Accum(int(op), float(value), m.snapshot()))
 
 
 def glClearIndex(m: Machine, index: float) -> None:

@@ -10,20 +10,13 @@ from struct import Struct
 from typing import Any
 
 from glsim.gl.arguments import again
-from glsim.machine.current import on_switch
+from glsim.machine.current import attach
 from glsim.machine.errors import MISUSE as BAD
 
 row = Struct("10f").pack
 Numbers = Sequence[Any]
-m: Any
-
-
-def _switch(machine: Any) -> None:
-    global m
-    m = machine
-
-
-on_switch(_switch)
+current: Any  # the machine; see glsim/machine/current.py
+attach(globals())
 
 
 def _first(v: Any) -> Any:
@@ -31,6 +24,7 @@ def _first(v: Any) -> Any:
 
 
 def glVertex2s(x: int, y: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2s", (x, y) if surplus is None else (x, y, surplus))  # type: ignore[no-any-return]
     try:
@@ -40,6 +34,7 @@ def glVertex2s(x: int, y: int, surplus: Any = None) -> None:
 
 
 def glVertex2sv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -50,6 +45,7 @@ def glVertex2sv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glVertex2i(x: int, y: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2i", (x, y) if surplus is None else (x, y, surplus))  # type: ignore[no-any-return]
     try:
@@ -59,6 +55,7 @@ def glVertex2i(x: int, y: int, surplus: Any = None) -> None:
 
 
 def glVertex2iv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -69,6 +66,7 @@ def glVertex2iv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glVertex2f(x: float, y: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2f", (x, y) if surplus is None else (x, y, surplus))  # type: ignore[no-any-return]
     try:
@@ -78,6 +76,7 @@ def glVertex2f(x: float, y: float, surplus: Any = None) -> None:
 
 
 def glVertex2fv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -88,6 +87,7 @@ def glVertex2fv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glVertex2d(x: float, y: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2d", (x, y) if surplus is None else (x, y, surplus))  # type: ignore[no-any-return]
     try:
@@ -97,6 +97,7 @@ def glVertex2d(x: float, y: float, surplus: Any = None) -> None:
 
 
 def glVertex2dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex2dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -107,6 +108,7 @@ def glVertex2dv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glVertex3s(x: int, y: int, z: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3s", (x, y, z) if surplus is None else (x, y, z, surplus))  # type: ignore[no-any-return]
     try:
@@ -116,6 +118,7 @@ def glVertex3s(x: int, y: int, z: int, surplus: Any = None) -> None:
 
 
 def glVertex3sv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -126,6 +129,7 @@ def glVertex3sv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glVertex3i(x: int, y: int, z: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3i", (x, y, z) if surplus is None else (x, y, z, surplus))  # type: ignore[no-any-return]
     try:
@@ -135,6 +139,7 @@ def glVertex3i(x: int, y: int, z: int, surplus: Any = None) -> None:
 
 
 def glVertex3iv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -145,6 +150,7 @@ def glVertex3iv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glVertex3f(x: float, y: float, z: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3f", (x, y, z) if surplus is None else (x, y, z, surplus))  # type: ignore[no-any-return]
     try:
@@ -154,6 +160,7 @@ def glVertex3f(x: float, y: float, z: float, surplus: Any = None) -> None:
 
 
 def glVertex3fv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -164,6 +171,7 @@ def glVertex3fv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glVertex3d(x: float, y: float, z: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3d", (x, y, z) if surplus is None else (x, y, z, surplus))  # type: ignore[no-any-return]
     try:
@@ -173,6 +181,7 @@ def glVertex3d(x: float, y: float, z: float, surplus: Any = None) -> None:
 
 
 def glVertex3dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex3dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -183,6 +192,7 @@ def glVertex3dv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glVertex4s(x: int, y: int, z: int, w: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4s", (x, y, z, w) if surplus is None else (x, y, z, w, surplus))  # type: ignore[no-any-return]
     try:
@@ -194,6 +204,7 @@ def glVertex4s(x: int, y: int, z: int, w: int, surplus: Any = None) -> None:
 
 
 def glVertex4sv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -206,6 +217,7 @@ def glVertex4sv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glVertex4i(x: int, y: int, z: int, w: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4i", (x, y, z, w) if surplus is None else (x, y, z, w, surplus))  # type: ignore[no-any-return]
     try:
@@ -217,6 +229,7 @@ def glVertex4i(x: int, y: int, z: int, w: int, surplus: Any = None) -> None:
 
 
 def glVertex4iv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -229,6 +242,7 @@ def glVertex4iv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glVertex4f(x: float, y: float, z: float, w: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4f", (x, y, z, w) if surplus is None else (x, y, z, w, surplus))  # type: ignore[no-any-return]
     try:
@@ -240,6 +254,7 @@ def glVertex4f(x: float, y: float, z: float, w: float, surplus: Any = None) -> N
 
 
 def glVertex4fv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -252,6 +267,7 @@ def glVertex4fv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glVertex4d(x: float, y: float, z: float, w: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4d", (x, y, z, w) if surplus is None else (x, y, z, w, surplus))  # type: ignore[no-any-return]
     try:
@@ -263,6 +279,7 @@ def glVertex4d(x: float, y: float, z: float, w: float, surplus: Any = None) -> N
 
 
 def glVertex4dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glVertex4dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -275,6 +292,7 @@ def glVertex4dv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glNormal3b(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3b", (nx, ny, nz) if surplus is None else (nx, ny, nz, surplus))  # type: ignore[no-any-return]
     try:
@@ -286,6 +304,7 @@ def glNormal3b(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
 
 
 def glNormal3bv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3bv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -298,6 +317,7 @@ def glNormal3bv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glNormal3s(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3s", (nx, ny, nz) if surplus is None else (nx, ny, nz, surplus))  # type: ignore[no-any-return]
     try:
@@ -309,6 +329,7 @@ def glNormal3s(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
 
 
 def glNormal3sv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -321,6 +342,7 @@ def glNormal3sv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glNormal3i(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3i", (nx, ny, nz) if surplus is None else (nx, ny, nz, surplus))  # type: ignore[no-any-return]
     try:
@@ -332,6 +354,7 @@ def glNormal3i(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
 
 
 def glNormal3iv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -344,6 +367,7 @@ def glNormal3iv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glNormal3f(nx: float, ny: float, nz: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3f", (nx, ny, nz) if surplus is None else (nx, ny, nz, surplus))  # type: ignore[no-any-return]
     try:
@@ -355,6 +379,7 @@ def glNormal3f(nx: float, ny: float, nz: float, surplus: Any = None) -> None:
 
 
 def glNormal3fv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -367,6 +392,7 @@ def glNormal3fv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glNormal3d(nx: float, ny: float, nz: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3d", (nx, ny, nz) if surplus is None else (nx, ny, nz, surplus))  # type: ignore[no-any-return]
     try:
@@ -378,6 +404,7 @@ def glNormal3d(nx: float, ny: float, nz: float, surplus: Any = None) -> None:
 
 
 def glNormal3dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glNormal3dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -390,6 +417,7 @@ def glNormal3dv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor3b(red: int, green: int, blue: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3b", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
@@ -402,6 +430,7 @@ def glColor3b(red: int, green: int, blue: int, surplus: Any = None) -> None:
 
 
 def glColor3bv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3bv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -415,6 +444,7 @@ def glColor3bv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor3s(red: int, green: int, blue: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3s", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
@@ -427,6 +457,7 @@ def glColor3s(red: int, green: int, blue: int, surplus: Any = None) -> None:
 
 
 def glColor3sv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -440,6 +471,7 @@ def glColor3sv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor3i(red: int, green: int, blue: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3i", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
@@ -452,6 +484,7 @@ def glColor3i(red: int, green: int, blue: int, surplus: Any = None) -> None:
 
 
 def glColor3iv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -465,6 +498,7 @@ def glColor3iv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor3f(red: float, green: float, blue: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3f", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
@@ -477,6 +511,7 @@ def glColor3f(red: float, green: float, blue: float, surplus: Any = None) -> Non
 
 
 def glColor3fv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -490,6 +525,7 @@ def glColor3fv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor3d(red: float, green: float, blue: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3d", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
@@ -502,6 +538,7 @@ def glColor3d(red: float, green: float, blue: float, surplus: Any = None) -> Non
 
 
 def glColor3dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -515,6 +552,7 @@ def glColor3dv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor3ub(red: int, green: int, blue: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3ub", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
@@ -527,6 +565,7 @@ def glColor3ub(red: int, green: int, blue: int, surplus: Any = None) -> None:
 
 
 def glColor3ubv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3ubv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -540,6 +579,7 @@ def glColor3ubv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor3us(red: int, green: int, blue: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3us", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
@@ -552,6 +592,7 @@ def glColor3us(red: int, green: int, blue: int, surplus: Any = None) -> None:
 
 
 def glColor3usv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3usv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -565,6 +606,7 @@ def glColor3usv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor3ui(red: int, green: int, blue: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3ui", (red, green, blue) if surplus is None else (red, green, blue, surplus))  # type: ignore[no-any-return]
     try:
@@ -577,6 +619,7 @@ def glColor3ui(red: int, green: int, blue: int, surplus: Any = None) -> None:
 
 
 def glColor3uiv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor3uiv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -590,6 +633,7 @@ def glColor3uiv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor4b(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4b", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
@@ -602,6 +646,7 @@ def glColor4b(red: int, green: int, blue: int, alpha: int, surplus: Any = None) 
 
 
 def glColor4bv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4bv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -615,6 +660,7 @@ def glColor4bv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor4s(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4s", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
@@ -627,6 +673,7 @@ def glColor4s(red: int, green: int, blue: int, alpha: int, surplus: Any = None) 
 
 
 def glColor4sv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -640,6 +687,7 @@ def glColor4sv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor4i(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4i", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
@@ -652,6 +700,7 @@ def glColor4i(red: int, green: int, blue: int, alpha: int, surplus: Any = None) 
 
 
 def glColor4iv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -665,6 +714,7 @@ def glColor4iv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor4f(red: float, green: float, blue: float, alpha: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4f", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
@@ -677,6 +727,7 @@ def glColor4f(red: float, green: float, blue: float, alpha: float, surplus: Any 
 
 
 def glColor4fv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -690,6 +741,7 @@ def glColor4fv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor4d(red: float, green: float, blue: float, alpha: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4d", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
@@ -702,6 +754,7 @@ def glColor4d(red: float, green: float, blue: float, alpha: float, surplus: Any 
 
 
 def glColor4dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -715,6 +768,7 @@ def glColor4dv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor4ub(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4ub", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
@@ -727,6 +781,7 @@ def glColor4ub(red: int, green: int, blue: int, alpha: int, surplus: Any = None)
 
 
 def glColor4ubv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4ubv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -740,6 +795,7 @@ def glColor4ubv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor4us(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4us", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
@@ -752,6 +808,7 @@ def glColor4us(red: int, green: int, blue: int, alpha: int, surplus: Any = None)
 
 
 def glColor4usv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4usv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -765,6 +822,7 @@ def glColor4usv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glColor4ui(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4ui", (red, green, blue, alpha) if surplus is None else (red, green, blue, alpha, surplus))  # type: ignore[no-any-return]
     try:
@@ -777,6 +835,7 @@ def glColor4ui(red: int, green: int, blue: int, alpha: int, surplus: Any = None)
 
 
 def glColor4uiv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glColor4uiv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -790,6 +849,7 @@ def glColor4uiv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord1s(s: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1s", (s,) if surplus is None else (s, surplus))  # type: ignore[no-any-return]
     try:
@@ -799,6 +859,7 @@ def glTexCoord1s(s: int, surplus: Any = None) -> None:
 
 
 def glTexCoord1sv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -809,6 +870,7 @@ def glTexCoord1sv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord1i(s: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1i", (s,) if surplus is None else (s, surplus))  # type: ignore[no-any-return]
     try:
@@ -818,6 +880,7 @@ def glTexCoord1i(s: int, surplus: Any = None) -> None:
 
 
 def glTexCoord1iv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -828,6 +891,7 @@ def glTexCoord1iv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord1f(s: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1f", (s,) if surplus is None else (s, surplus))  # type: ignore[no-any-return]
     try:
@@ -837,6 +901,7 @@ def glTexCoord1f(s: float, surplus: Any = None) -> None:
 
 
 def glTexCoord1fv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -847,6 +912,7 @@ def glTexCoord1fv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord1d(s: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1d", (s,) if surplus is None else (s, surplus))  # type: ignore[no-any-return]
     try:
@@ -856,6 +922,7 @@ def glTexCoord1d(s: float, surplus: Any = None) -> None:
 
 
 def glTexCoord1dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord1dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -866,6 +933,7 @@ def glTexCoord1dv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord2s(s: int, t: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2s", (s, t) if surplus is None else (s, t, surplus))  # type: ignore[no-any-return]
     try:
@@ -875,6 +943,7 @@ def glTexCoord2s(s: int, t: int, surplus: Any = None) -> None:
 
 
 def glTexCoord2sv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -885,6 +954,7 @@ def glTexCoord2sv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord2i(s: int, t: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2i", (s, t) if surplus is None else (s, t, surplus))  # type: ignore[no-any-return]
     try:
@@ -894,6 +964,7 @@ def glTexCoord2i(s: int, t: int, surplus: Any = None) -> None:
 
 
 def glTexCoord2iv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -904,6 +975,7 @@ def glTexCoord2iv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord2f(s: float, t: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2f", (s, t) if surplus is None else (s, t, surplus))  # type: ignore[no-any-return]
     try:
@@ -913,6 +985,7 @@ def glTexCoord2f(s: float, t: float, surplus: Any = None) -> None:
 
 
 def glTexCoord2fv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -923,6 +996,7 @@ def glTexCoord2fv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord2d(s: float, t: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2d", (s, t) if surplus is None else (s, t, surplus))  # type: ignore[no-any-return]
     try:
@@ -932,6 +1006,7 @@ def glTexCoord2d(s: float, t: float, surplus: Any = None) -> None:
 
 
 def glTexCoord2dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord2dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -942,6 +1017,7 @@ def glTexCoord2dv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord3s(s: int, t: int, r: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3s", (s, t, r) if surplus is None else (s, t, r, surplus))  # type: ignore[no-any-return]
     try:
@@ -951,6 +1027,7 @@ def glTexCoord3s(s: int, t: int, r: int, surplus: Any = None) -> None:
 
 
 def glTexCoord3sv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -961,6 +1038,7 @@ def glTexCoord3sv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord3i(s: int, t: int, r: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3i", (s, t, r) if surplus is None else (s, t, r, surplus))  # type: ignore[no-any-return]
     try:
@@ -970,6 +1048,7 @@ def glTexCoord3i(s: int, t: int, r: int, surplus: Any = None) -> None:
 
 
 def glTexCoord3iv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -980,6 +1059,7 @@ def glTexCoord3iv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord3f(s: float, t: float, r: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3f", (s, t, r) if surplus is None else (s, t, r, surplus))  # type: ignore[no-any-return]
     try:
@@ -989,6 +1069,7 @@ def glTexCoord3f(s: float, t: float, r: float, surplus: Any = None) -> None:
 
 
 def glTexCoord3fv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -999,6 +1080,7 @@ def glTexCoord3fv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord3d(s: float, t: float, r: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3d", (s, t, r) if surplus is None else (s, t, r, surplus))  # type: ignore[no-any-return]
     try:
@@ -1008,6 +1090,7 @@ def glTexCoord3d(s: float, t: float, r: float, surplus: Any = None) -> None:
 
 
 def glTexCoord3dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord3dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -1018,6 +1101,7 @@ def glTexCoord3dv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord4s(s: int, t: int, r: int, q: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4s", (s, t, r, q) if surplus is None else (s, t, r, q, surplus))  # type: ignore[no-any-return]
     try:
@@ -1027,6 +1111,7 @@ def glTexCoord4s(s: int, t: int, r: int, q: int, surplus: Any = None) -> None:
 
 
 def glTexCoord4sv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4sv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -1037,6 +1122,7 @@ def glTexCoord4sv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord4i(s: int, t: int, r: int, q: int, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4i", (s, t, r, q) if surplus is None else (s, t, r, q, surplus))  # type: ignore[no-any-return]
     try:
@@ -1046,6 +1132,7 @@ def glTexCoord4i(s: int, t: int, r: int, q: int, surplus: Any = None) -> None:
 
 
 def glTexCoord4iv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4iv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -1056,6 +1143,7 @@ def glTexCoord4iv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord4f(s: float, t: float, r: float, q: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4f", (s, t, r, q) if surplus is None else (s, t, r, q, surplus))  # type: ignore[no-any-return]
     try:
@@ -1065,6 +1153,7 @@ def glTexCoord4f(s: float, t: float, r: float, q: float, surplus: Any = None) ->
 
 
 def glTexCoord4fv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4fv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:
@@ -1075,6 +1164,7 @@ def glTexCoord4fv(v: Numbers, surplus: Any = None) -> None:
 
 
 def glTexCoord4d(s: float, t: float, r: float, q: float, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4d", (s, t, r, q) if surplus is None else (s, t, r, q, surplus))  # type: ignore[no-any-return]
     try:
@@ -1084,6 +1174,7 @@ def glTexCoord4d(s: float, t: float, r: float, q: float, surplus: Any = None) ->
 
 
 def glTexCoord4dv(v: Numbers, surplus: Any = None) -> None:
+    m = current
     if m.recorder:
         return m.recorder("glTexCoord4dv", (v,) if surplus is None else (v, surplus))  # type: ignore[no-any-return]
     try:

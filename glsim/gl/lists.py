@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import builtins
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from glsim.gl.texture import free_name
 from glsim.machine.commands import COMMANDS
 from glsim.machine.constants import (
     GL_2_BYTES,
@@ -117,6 +119,8 @@ def glCallList(m: Machine, n: int) -> None:
                 for packet in m.packets[drawn:]:
                     if type(packet) is Draw:
                         packet.trail = ((n, position), *packet.trail)
+        if m.nesting == 1:
+            m.relieve()
     finally:
         m.nesting -= 1
         m.unpack_store = store
@@ -170,21 +174,24 @@ def glGenLists(m: Machine, s: int) -> int:
         raise out_of_memory(f"{s} display lists are more than the {MOST_NAMES} that can be")
     if s == 0:
         return 0
-    first = 1
-    for used in sorted(m.lists):
-        if used - first >= s:
-            break
-        first = max(first, used + 1)
-    for number in range(first, first + s):
-        m.lists[number] = []
+    first = name = m.lowest.get("lists", 1)
+    while name < first + s:
+        if name in m.lists:
+            first = name + 1
+        name += 1
+    if first == m.lowest.get("lists", 1):
+        m.lowest["lists"] = first + s
+    m.lists.update({number: [] for number in range(first, first + s)})
     return first
 
 
 def glDeleteLists(m: Machine, list: int, range: int) -> None:
     if range < 0:
         raise invalid_value("range", range, "at least 0")
-    for number in [n for n in m.lists if list <= n < list + range]:
+    few = builtins.range(list, list + range) if range < len(m.lists) else m.lists
+    for number in [number for number in few if number in m.lists and list <= number < list + range]:
         del m.lists[number]
+        free_name(m, "lists", number)
 
 
 def glIsList(m: Machine, list: int) -> int:

@@ -65,6 +65,7 @@ from glsim.machine.pixels import (
 from glsim.machine.types import DTYPES, fill, plain
 
 LARGEST_RECTANGLE = 16384
+MOST_PIXELS = 1 << 26  # of a rectangle, if the picture itself has not more
 MAX_PIXEL_MAP_TABLE = 256
 INDEXED = (GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S, *INDEX_MAPS)  # maps whose size is a power of two
 
@@ -78,7 +79,7 @@ def glPixelStore(m: Machine, pname: int, param: float) -> None:
     if pname not in fields:
         raise invalid_enum("pname", pname, "GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH or another way to store pixels")
     field = fields[pname]
-    value = param != 0.0 if field in ("swap_bytes", "lsb_first") else int(np.floor(param + 0.5))
+    value: Any = param != 0.0 if field in ("swap_bytes", "lsb_first") else int(np.floor(param + 0.5))
     if field == "alignment" and value not in (1, 2, 4, 8):
         raise invalid_value("param", param, "1, 2, 4 or 8")
     if value < 0:
@@ -187,20 +188,22 @@ def glPixelZoom(m: Machine, zx: float, zy: float) -> None:
 # ---------------------------------------------------------------- drawing
 
 
-def _check_size(width: int, height: int) -> None:
+def _check_size(m: Machine, width: int, height: int) -> None:
     if width < 0 or height < 0:
         raise invalid_value("width and height", (width, height), "at least 0")
     if max(width, height) > LARGEST_RECTANGLE:
         raise out_of_memory(f"a rectangle of {width} x {height} pixels is larger than any picture")
+    if width * height > max(MOST_PIXELS, m.device.width * m.device.height):
+        raise out_of_memory(f"{width} x {height} pixels are more than this picture has, and more than {MOST_PIXELS}")
 
 
 def _add(m: Machine, kind: str, image: Any, copied: tuple[int, int, int, int] | None) -> None:
-    m.packets.append(Pixels(kind, image, copied, m.raster, m.pixel, m.snapshot()))
+    m.add(Pixels(kind, image, copied, m.raster, m.pixel, m.snapshot()), 0 if image is None else image.nbytes)
 
 
 def glDrawPixels(m: Machine, width: int, height: int, format: int, type: int, pixels: Any) -> None:
     """Draw a rectangle from the program's memory with its lower left corner at the current raster position."""
-    _check_size(width, height)
+    _check_size(m, width, height)
     check(format, type)
     if format == GL_STENCIL_INDEX and type == GL_BITMAP and pixels is None:
         raise ValueError("pixels is None: pass bytes or an array")
@@ -222,7 +225,7 @@ def glCopyPixels(m: Machine, x: int, y: int, width: int, height: int, type: int)
     """Draw a rectangle of the framebuffer again at the current raster position."""
     if type not in KINDS:
         raise invalid_enum("type", type, "GL_COLOR, GL_DEPTH or GL_STENCIL")
-    _check_size(width, height)
+    _check_size(m, width, height)
     if m.raster.valid:
         _add(m, KINDS[type], None, (int(x), int(y), int(width), int(height)))
 
@@ -231,14 +234,14 @@ def glBitmap(
     m: Machine, width: int, height: int, xorig: float, yorig: float, xmove: float, ymove: float, bitmap: Any
 ) -> None:
     """Draw the 1 bits in the current raster colour, then move the raster position.  bitmap None only moves."""
-    _check_size(width, height)
+    _check_size(m, width, height)
     raster = m.raster
     if not raster.valid:
         return
     if bitmap is not None and width and height:
         bits = unpack(m.unpack_store, (int(height), int(width)), GL_COLOR_INDEX, GL_BITMAP, bitmap)
         at = raster._replace(x=float(np.floor(raster.x + 1e-4 - xorig)), y=float(np.floor(raster.y + 1e-4 - yorig)))
-        m.packets.append(Pixels("bitmap", bits, None, at, m.pixel, m.snapshot()))
+        m.add(Pixels("bitmap", bits, None, at, m.pixel, m.snapshot()), bits.nbytes)
     m.raster = raster._replace(x=raster.x + xmove, y=raster.y + ymove)
 
 
@@ -273,7 +276,7 @@ def glReadPixels(
     outputType: Any = bytes,
 ) -> Any:  # fmt: skip
     """Pixels, bottom row first.  As PyOpenGL: bytes for GL_UNSIGNED_BYTE, else an array; or into ``array``."""
-    _check_size(width, height)
+    _check_size(m, width, height)
     check(format, type)
     if format == GL_COLOR_INDEX:
         raise invalid_operation("colour indices can only be read in colour-index mode, which is not emulated")
@@ -281,6 +284,11 @@ def glReadPixels(
         raise invalid_enum("type", type, "GL_UNSIGNED_BYTE or another number type")
     if m.pixel.read_buffer == GL_NONE and format not in (GL_DEPTH_COMPONENT, GL_STENCIL_INDEX):
         raise invalid_operation("glReadBuffer(GL_NONE) left no colours to read")
+    for buffer, wanted in (("depth", GL_DEPTH_COMPONENT), ("stencil", GL_STENCIL_INDEX)):
+        if format == wanted and m.device.describe().get(f"{buffer}_bits") == 0:
+            raise invalid_operation(
+                f"the window has no {buffer} buffer: add GLUT_{buffer.upper()} to glutInitDisplayMode"
+            )
     rectangle = int(x), int(y), int(width), int(height)
     m.flush()
     if format == GL_DEPTH_COMPONENT:

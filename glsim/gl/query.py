@@ -89,8 +89,8 @@ GETTERS: dict[int, Getter] = {
     gl.GL_BLUE_BITS: lambda m: 8,
     gl.GL_ALPHA_BITS: lambda m: 8,
     gl.GL_INDEX_BITS: lambda m: 0,
-    gl.GL_DEPTH_BITS: lambda m: 24,
-    gl.GL_STENCIL_BITS: lambda m: 8,
+    gl.GL_DEPTH_BITS: lambda m: m.device.describe().get("depth_bits", 24),
+    gl.GL_STENCIL_BITS: lambda m: m.device.describe().get("stencil_bits", 8),
     gl.GL_SUBPIXEL_BITS: lambda m: 8,
     gl.GL_SAMPLES: lambda m: m.device.describe().get("samples", 0),
     gl.GL_SAMPLE_BUFFERS: lambda m: int(m.device.describe().get("samples", 0) > 0),
@@ -314,7 +314,7 @@ def glGetError(m: Machine) -> int:
 
 
 # glsim's own, and those that became part of OpenGL 1.1 to 1.5
-EXTENSIONS = (
+EXTENSIONS: bytes = (
     b"GL_WIN_phong_shading GL_GLSIM_specular_lobe GL_GLSIM_back_lighting GL_ARB_depth_texture "
     b"GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_point_parameters GL_ARB_shadow GL_ARB_texture_border_clamp "
     b"GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar "
@@ -340,7 +340,7 @@ def glGetString(m: Machine, name: int) -> bytes:
     if name == gl.GL_RENDERER:
         return f"glsim on {info['renderer']}".encode()
     if name == gl.GL_VERSION:
-        from glsim import __version__
+        from glsim.version import __version__
 
         return f"1.5 glsim {__version__} on OpenGL {info['version']}".encode()
     if name == gl.GL_EXTENSIONS:

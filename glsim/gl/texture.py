@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -179,25 +179,34 @@ def _with_binding(place: Any, kind: int, name: int, m: Machine) -> Any:
 
 def glGenTextures(m: Machine, n: int, textures: Any = None) -> Any:
     """As PyOpenGL: one name for n = 1, an array of names for more; or into ``textures``."""
-    used = {number for number, _ in m.textures} | m.texture_names
-    names = new_names(n, used)
+
+    def used(name: int) -> bool:
+        return name in m.texture_names or any((name, kind) in m.textures for kind in TARGETS.values())
+
+    names = new_names(m, "textures", n, used)
     m.texture_names |= set(names)
     return given_names(names, textures)
 
 
-def new_names(n: int, used: set[int]) -> list[int]:
-    """The ``n`` smallest names that are not used."""
+def new_names(m: Machine, what: str, n: int, used: Callable[[int], bool]) -> list[int]:
+    """The ``n`` smallest names that are not used; they are taken."""
     if n < 0:
         raise invalid_value("n", n, "at least 0")
     if n > MOST_NAMES:
         raise out_of_memory(f"{n} names are more than the {MOST_NAMES} that can be")
     names: list[int] = []
-    name = 1
+    name = m.lowest.get(what, 1)
     while len(names) < n:
-        if name not in used:
+        if not used(name):
             names.append(name)
         name += 1
+    m.lowest[what] = name
     return names
+
+
+def free_name(m: Machine, what: str, name: int) -> None:
+    """The name can be given again."""
+    m.lowest[what] = min(m.lowest.get(what, 1), name)
 
 
 def given_names(names: Sequence[int], array: Any) -> Any:
@@ -227,6 +236,7 @@ def glDeleteTextures(m: Machine, n: Any, textures: Any = None) -> None:
                     m.texture = m.texture.with_unit(number, _with_binding(place, kind, 0, m))
             m.textures.pop((name, kind), None)
         m.texture_names.discard(name)
+        free_name(m, "textures", name)
 
 
 def glIsTexture(m: Machine, texture: int) -> int:

@@ -18,6 +18,7 @@ from glsim.glu.view import matrices
 
 Float = NDArray[np.float64]
 MOST_STEPS = 200  # between two knots
+MOST_SAMPLES = 1 << 20  # of a curve or surface
 MOST_ORDER = 8
 TRIM_STEPS = 12  # of a trimming curve between two knots
 CALLBACKS = ("ERROR", "BEGIN", "VERTEX", "NORMAL", "COLOR", "TEXTURE_COORD", "END")
@@ -365,7 +366,7 @@ def _counts(nurb: Nurbs, spline: Spline, axis: int) -> NDArray[np.int64]:
     method, surface = nurb.properties[SAMPLING_METHOD], len(spline.knots) == 2
     if method == NAMES["GLU_DOMAIN_DISTANCE"]:
         steps = np.diff(spline.spans(axis)) * nurb.properties[V_STEP if axis else U_STEP]
-        return (np.ceil(steps) if surface else np.floor(steps) + 1).astype(np.int64)
+        return np.minimum(np.ceil(steps) if surface else np.floor(steps) + 1, MOST_SAMPLES).astype(np.int64)
     points = _measured(nurb, _patches(spline))
     if method in (NAMES["GLU_PATH_LENGTH"], NAMES["GLU_OBJECT_PATH_LENGTH"]):
         # on a surface the two ways along the sides of a piece together are as long as the tolerance
@@ -379,14 +380,21 @@ def _counts(nurb: Nurbs, spline: Spline, axis: int) -> NDArray[np.int64]:
     return np.asarray(np.clip(np.ceil(steps * (1 - 1e-9)) + more, 1, MOST_STEPS).astype(np.int64))
 
 
-def _stops(nurb: Nurbs, spline: Spline, axis: int) -> Float:
-    """Where the surface or curve is sampled along one parameter: at knots, and between them as often as is needed."""
-    spans = spline.spans(axis)
-    pieces = [
-        np.linspace(low, high, count, endpoint=False)
-        for (low, high), count in zip(pairwise(spans), np.clip(_counts(nurb, spline, axis), 1, None), strict=True)
-    ]
-    return np.concatenate([*pieces, spans[-1:]])
+def _stops(nurb: Nurbs, spline: Spline, name: str) -> list[Float]:
+    """Where a curve or surface is sampled along each parameter: at knots, and between them as often as is needed; empty
+    after an error."""
+    counts = [np.clip(_counts(nurb, spline, axis), 1, None) for axis in range(len(spline.knots))]
+    samples = math.prod(int(count.sum()) + 1 for count in counts)
+    if samples > MOST_SAMPLES:
+        sentence = f"{name}: this sampling makes {samples} vertices, more than {MOST_SAMPLES}; take a larger tolerance,"
+        nurb.fail("GLU_OUT_OF_MEMORY", f"{sentence} or smaller GLU_U_STEP and GLU_V_STEP")
+        return []
+    stops = []
+    for axis, count in enumerate(counts):
+        spans = spline.spans(axis)
+        pieces = [np.linspace(*ends, n, endpoint=False) for ends, n in zip(pairwise(spans), count, strict=True)]
+        stops.append(np.concatenate([*pieces, spans[-1:]]))
+    return stops
 
 
 # ---------------------------------------------------------------- drawing
@@ -454,8 +462,11 @@ def gluEndCurve(nurb: Nurbs) -> None:
     if "vertex" not in nurb.maps:
         nurb.fail(8, "gluEndCurve: gluNurbsCurve with GL_MAP1_VERTEX_3 or GL_MAP1_VERTEX_4 must come first")
         return
+    stops = _stops(nurb, nurb.maps["vertex"], "gluEndCurve")
+    if not stops:
+        return
+    (t,) = stops
     gl.glPushAttrib(gl.GL_CURRENT_BIT)
-    t = _stops(nurb, nurb.maps["vertex"], 0)
     _Output(nurb, t).draw(gl.GL_LINE_STRIP, range(len(t)))
     gl.glPopAttrib()
 
@@ -469,7 +480,10 @@ def gluEndSurface(nurb: Nurbs) -> None:
     spline = nurb.maps.get("vertex")
     if spline is None:
         return
-    u, v = _stops(nurb, spline, 0), _stops(nurb, spline, 1)
+    stops = _stops(nurb, spline, "gluEndSurface")
+    if not stops:
+        return
+    u, v = stops
     loops = [np.concatenate(trim) for trim in nurb.trims if trim]
     mode = nurb.properties[DISPLAY_MODE]
     gl.glPushAttrib(gl.GL_POLYGON_BIT | gl.GL_CURRENT_BIT)

@@ -27,6 +27,9 @@ GLU_ERROR = NAMES["GLU_ERROR"]
 OUTSIDE, INSIDE = NAMES["GLU_OUTSIDE"], NAMES["GLU_INSIDE"]
 
 
+MOST_PIECES = 1 << 20  # of a shape: slices times stacks
+
+
 class Quadric:
     """How quadrics are drawn: gluNewQuadric."""
 
@@ -51,6 +54,13 @@ class Quadric:
             warn(NAMES[error], f"{name}: {sentence}")
         else:
             self.on_error(NAMES[error])
+
+    def too_many(self, name: str, *pieces: int) -> bool:
+        """Report that a shape of so many pieces both ways is not drawn."""
+        if pieces[0] * pieces[1] <= MOST_PIECES:
+            return False
+        self.fail(name, f"draws at most {MOST_PIECES} pieces, not {pieces[0]} * {pieces[1]}", "GLU_OUT_OF_MEMORY")
+        return True
 
     def choose(self, field: str, name: str, value: int, choices: tuple[int, ...]) -> None:
         """Set a field to one of the choices."""
@@ -128,6 +138,8 @@ def gluCylinder(quad: Quadric, base: float, top: float, height: float, slices: i
     if slices < 2 or stacks < 1 or base < 0 or top < 0 or height < 0:
         quad.fail("gluCylinder", "needs at least 2 slices, 1 stack, and radii and a height of at least 0")
         return
+    if quad.too_many("gluCylinder", slices, stacks):
+        return
     length = math.hypot(base - top, height)
     if length == 0.0:
         quad.fail("gluCylinder", "has neither height nor different radii")
@@ -185,6 +197,8 @@ def gluPartialDisk(
     slices, loops = int(slices), int(loops)
     if slices < 2 or loops < 1 or outer <= 0 or inner < 0 or inner > outer:
         quad.fail("gluPartialDisk", "needs at least 2 slices, 1 loop, and 0 <= inner <= outer with outer > 0")
+        return
+    if quad.too_many("gluPartialDisk", slices, loops):
         return
     sweep = min(max(sweep, -360.0), 360.0)
     if sweep < 0:
@@ -361,6 +375,8 @@ def gluSphere(quad: Quadric, radius: float, slices: int, stacks: int) -> None:
     slices, stacks = int(slices), int(stacks)
     if slices < 2 or stacks < 1 or radius < 0:
         quad.fail("gluSphere", "needs at least 2 slices, 1 stack and a radius of at least 0")
+        return
+    if quad.too_many("gluSphere", slices, stacks):
         return
     sphere = _Sphere(quad, radius, slices, stacks)
     if quad.style == POINT:

@@ -12,9 +12,10 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from functools import cmp_to_key, partial
-from itertools import pairwise
+from itertools import islice, pairwise
 from typing import Any
 
 import numpy as np
@@ -30,6 +31,7 @@ Edge = tuple[int, int]  # the numbers of two points
 Point = tuple[int, int]  # on the grid
 CELLS = 2**30  # of the grid: the products of two differences still fit into 64 bits
 MOST_ROUNDS = 60
+MOST_PAIRS = 2**20  # of edges that are looked at together
 RULES: dict[int, Callable[[int], bool]] = {
     NAMES["GLU_TESS_WINDING_ODD"]: lambda n: n % 2 == 1,
     NAMES["GLU_TESS_WINDING_NONZERO"]: lambda n: n != 0,
@@ -276,7 +278,7 @@ class _Plane:
             edges += pairwise([*numbers, numbers[0]])
         self.edges = self._net((edge, 1) for edge in edges)
         for _ in range(MOST_ROUNDS):  # a cut moves to the grid, so an edge may come to meet others
-            cuts = self._cuts(list(self.edges))
+            cuts = {} if _apart(self.grid, self.edges) else self._cuts(list(self.edges))
             if not cuts:
                 break
             self.edges = self._net(self._pieces(cuts))
@@ -310,9 +312,16 @@ class _Plane:
         cuts: dict[Edge, set[int]] = {}
         if not edges:
             return cuts
-        P = np.array(self.grid, np.int64)
-        first, second = _near(P, np.array(edges))
-        (A, B), (C, D) = ((P[ends[:, 0]], P[ends[:, 1]]) for ends in (np.array(edges)[first], np.array(edges)[second]))
+        P, ends = np.array(self.grid, np.int64), np.array(edges)
+        for first, second in _near(P, ends):
+            self._meetings(P, ends, edges, first, second, cuts)
+        return cuts
+
+    def _meetings(
+        self, P: Whole, ends: Whole, edges: list[Edge], first: Whole, second: Whole, cuts: dict[Edge, set[int]]
+    ) -> None:
+        """Note in ``cuts`` the points where pairs of edges meet."""
+        A, B, C, D = P[ends[first, 0]], P[ends[first, 1]], P[ends[second, 0]], P[ends[second, 1]]
         sides = [_side(C, D, A), _side(C, D, B), _side(A, B, C), _side(A, B, D)]
         a, b, c, d = (np.sign(side) for side in sides)
         crossing = (a * b < 0) & (c * d < 0)
@@ -329,7 +338,6 @@ class _Plane:
             on_edge = on_line & _between(point, low, high)
             for k in np.flatnonzero(on_edge).tolist():
                 cuts.setdefault(edges[cut[k]], set()).add(edges[by[k]][end])
-        return cuts
 
     def _crossing(self, one: Edge, other: Edge, t: float, u: float) -> int:
         """The number of the point where two edges cross, t and u of the way along them."""
@@ -371,21 +379,30 @@ def _between(p: Whole, a: Whole, b: Whole) -> NDArray[np.bool_]:
     return np.asarray(inside & (p != a).any(axis=1) & (p != b).any(axis=1))
 
 
-def _near(P: Whole, edges: Whole) -> tuple[Whole, Whole]:
-    """Pairs of edges whose bounding boxes meet."""
+def _near(P: Whole, edges: Whole) -> Iterator[tuple[Whole, Whole]]:
+    """Pairs of edges whose bounding boxes meet, some at a time.
+
+    Edges are sorted along one axis; each is held against those that begin before it ends.  It is the axis along which
+    fewer edges lie side by side.
+    """
     A, B = P[edges[:, 0]], P[edges[:, 1]]
     low, high = np.minimum(A, B), np.maximum(A, B)
-    firsts, seconds = [], []
-    for start in range(0, len(edges), 256):
-        rows = slice(start, start + 256)
-        meet = np.ones((len(low[rows]), len(edges) - start), bool)
-        for axis in range(2):
-            meet &= low[rows, None, axis] <= high[None, start:, axis]
-            meet &= high[rows, None, axis] >= low[None, start:, axis]
-        i, j = np.nonzero(meet)
-        firsts.append(i[i < j] + start)
-        seconds.append(j[i < j] + start)
-    return np.concatenate(firsts), np.concatenate(seconds)
+    orders = np.argsort(low, axis=0, kind="stable")
+    rows = np.arange(len(edges))
+    ends = [np.searchsorted(low[orders[:, k], k], high[orders[:, k], k], "right") for k in (0, 1)]
+    axis = int(ends[1].sum() < ends[0].sum())
+    order, counts = orders[:, axis], ends[axis] - rows - 1
+    total = np.cumsum(counts)
+    start = 0
+    while start < len(edges):
+        before = int(total[start - 1]) if start else 0
+        stop = max(int(np.searchsorted(total, before + MOST_PAIRS)), start + 1)
+        first = np.repeat(rows[start:stop], counts[start:stop])
+        second = first + 1 + np.arange(len(first)) - (total - counts)[first] + before
+        i, j = order[first], order[second]
+        meet = (np.maximum(low[i], low[j]) <= np.minimum(high[i], high[j])).all(axis=1)
+        yield i[meet], j[meet]
+        start = stop
 
 
 # ---------------------------------------------------------------- the sweep
@@ -427,6 +444,30 @@ def _upwards(grid: list[Point], edges: list[Edge]) -> list[Edge]:
     return sorted(edges, key=cmp_to_key(order))
 
 
+def _apart(grid: list[Point], edges: Iterable[Edge]) -> bool:
+    """Whether no edges meet but at their ends.
+
+    Two that cross lie side by side on the line before it comes to where they do (M. Shamos and D. Hoey, Geometric
+    intersection problems, 1976), so that only neighbours need be compared.
+    """
+    met: list[Edge] = []
+    for number, place, count, begun in _sweep(grid, edges):
+        for a, b in met[place : place + count + 1]:  # the first of them that ends elsewhere
+            if b != number and _left(grid[a], grid[b], grid[number]) == 0:
+                return False  # the point lies on it
+        met[place : place + count] = begun
+        for k in {place, place + len(begun)}:
+            if 0 < k < len(met) and _cross(grid, met[k - 1], met[k]):
+                return False
+    return True
+
+
+def _cross(grid: list[Point], one: Edge, other: Edge) -> bool:
+    """Whether each of two edges has the ends of the other on both sides."""
+    a, b, c, d = (grid[n] for n in (*one, *other))
+    return _left(a, b, c) * _left(a, b, d) < 0 and _left(c, d, a) * _left(c, d, b) < 0
+
+
 def _boundary(plane: _Plane, inside: Callable[[int], bool]) -> list[Edge]:
     """The edges between inside and outside, directed so that the inside is on their left."""
     boundary = []
@@ -462,34 +503,37 @@ class _Cutter:
         self.triangles.append((a, new, b))
         return True
 
-    def above(self, chain: list[int], new: int) -> list[int]:
+    def above(self, chain: deque[int], new: int) -> deque[int]:
         """The chain below its upper edge, which ends at the new point."""
         while len(chain) > 1 and self._cut(chain[-2], chain[-1], new):
             chain.pop()
-        return [*chain, new]
+        chain.append(new)
+        return chain
 
-    def below(self, chain: list[int], new: int) -> list[int]:
+    def below(self, chain: deque[int], new: int) -> deque[int]:
         """The chain above its lower edge, which ends at the new point."""
         while len(chain) > 1 and self._cut(chain[0], chain[1], new):
-            del chain[0]
-        return [new, *chain]
+            chain.popleft()
+        chain.appendleft(new)
+        return chain
 
-    def close(self, chain: list[int], new: int) -> None:
+    def close(self, chain: deque[int], new: int) -> None:
         """Both edges end at the new point."""
         for a, b in pairwise(chain):
             self._cut(a, b, new)
 
-    def split(self, chain: list[int], new: int) -> tuple[list[int], list[int]]:
+    def split(self, chain: deque[int], new: int) -> tuple[deque[int], deque[int]]:
         """The new point lies between the edges: the chain below it and the chain above it."""
-        k = max(range(len(chain)), key=lambda k: self.grid[chain[k]])  # nothing hides the rightmost point
-        return self.above(chain[: k + 1], new), self.below(chain[k:], new)
+        points = list(chain)
+        k = max(range(len(points)), key=lambda k: self.grid[points[k]])  # nothing hides the rightmost point
+        return self.above(deque(points[: k + 1]), new), self.below(deque(points[k:]), new)
 
 
 def _triangles(plane: _Plane, boundary: list[Edge]) -> list[tuple[int, int, int]]:
     """The inside as counterclockwise triangles of point numbers."""
     grid = plane.grid
     cutter = _Cutter(grid)
-    chains: list[list[int] | None] = [None]  # None: outside
+    chains: list[deque[int] | None] = [None]  # None: outside
     edges = [(a, b) if grid[a] < grid[b] else (b, a) for a, b in boundary]
     for new, place, count, begun in _sweep(grid, edges):
         first, last = chains[place], chains[place + count]
@@ -503,10 +547,12 @@ def _triangles(plane: _Plane, boundary: list[Edge]) -> list[tuple[int, int, int]
             if chain is not None:
                 cutter.close(chain, new)
         if begun:
-            inner = [[new] if (first is None) == (k % 2 == 0) else None for k in range(len(begun) - 1)]
+            inner = [deque([new]) if (first is None) == (k % 2 == 0) else None for k in range(len(begun) - 1)]
             chains[place : place + count + 1] = [lower, *inner, upper]
         else:
-            chains[place : place + count + 1] = [None if lower is None or upper is None else lower + upper[1:]]
+            if lower is not None and upper is not None:
+                lower.extend(islice(upper, 1, None))
+            chains[place : place + count + 1] = [lower if upper is not None else None]
     return cutter.triangles
 
 

@@ -23,7 +23,7 @@ class Settings:
     initialized: bool = False
     place: tuple[int, int] = (-1, -1)
     size: tuple[int, int] = DEFAULT_SIZE
-    mode: int = 0
+    mode: int = NAMES["GLUT_DEPTH"]  # freeglut's, if glutInitDisplayMode is not called
     options: dict[int, int] = field(default_factory=dict)
     game_mode: str = ""
     full_screen_before: dict[int, tuple[int, int]] = field(default_factory=dict)
@@ -283,6 +283,23 @@ _PER_WINDOW = (
     "TabletMotion TabletButton Position MultiEntry MultiButton MultiMotion MultiPassive InitContext AppStatus"
 )
 PER_WINDOW = _PER_WINDOW.split()
+_CALLED_WITH = {  # what a callback gets (x, y: the mouse, in pixels from the upper left), and when
+    "Display": ("()", "when the window must be drawn"),
+    "Reshape": ("(width, height)", "when the window gets a size, in pixels"),
+    "Keyboard": ("(key, x, y)", "when a key is pressed; key: its letter as bytes"),
+    "KeyboardUp": ("(key, x, y)", "when a key is released"),
+    "Special": ("(key, x, y)", "when GLUT_KEY_UP, GLUT_KEY_F1, ... is pressed"),
+    "SpecialUp": ("(key, x, y)", "when GLUT_KEY_UP, GLUT_KEY_F1, ... is released"),
+    "Mouse": ("(button, state, x, y)", "when GLUT_LEFT_BUTTON, ... gets GLUT_DOWN or GLUT_UP"),
+    "Motion": ("(x, y)", "when the mouse moves with a button down"),
+    "PassiveMotion": ("(x, y)", "when the mouse moves without a button"),
+    "Entry": ("(state)", "when the mouse comes (GLUT_ENTERED) or goes (GLUT_LEFT)"),
+    "Visibility": ("(state)", "when the window is shown (GLUT_VISIBLE) or hidden (GLUT_NOT_VISIBLE)"),
+    "WindowStatus": ("(state)", "when the window is shown or hidden"),
+    "MouseWheel": ("(wheel, direction, x, y)", "when the wheel turns: direction 1 or -1"),
+    "Close": ("()", "when the window is closed"),
+    "WMClose": ("()", "when the window is closed"),
+}  # fmt: skip
 
 
 def _registrar(kind: str) -> Callable[..., None]:
@@ -301,7 +318,9 @@ def _registrar(kind: str) -> Callable[..., None]:
             window.callbacks[kind] = callback
 
     register.__name__ = register.__qualname__ = name
-    register.__doc__ = f"Call ``callback`` for the current window; None for nothing: {kind}."
+    arguments, when = _CALLED_WITH.get(kind, ("", ""))
+    called = f"Call ``callback{arguments}`` of the current window {when}; None: no longer."
+    register.__doc__ = called if when else "Accepted without effect: there are no such events."
     return register
 
 
@@ -426,7 +445,8 @@ def glutGet(state: int) -> int:
     samples = window.screen.samples
     values: dict[str, int] = {
         "WINDOW_X": max(window.place[0], 0), "WINDOW_Y": max(window.place[1], 0), "WINDOW_WIDTH": window.asked[0],
-        "WINDOW_HEIGHT": window.asked[1], "WINDOW_BUFFER_SIZE": 32, "WINDOW_STENCIL_SIZE": 8, "WINDOW_DEPTH_SIZE": 24,
+        "WINDOW_HEIGHT": window.asked[1], "WINDOW_BUFFER_SIZE": 32, "WINDOW_STENCIL_SIZE": window.screen.stencil_bits,
+        "WINDOW_DEPTH_SIZE": window.screen.depth_bits,
         "WINDOW_RED_SIZE": 8, "WINDOW_GREEN_SIZE": 8, "WINDOW_BLUE_SIZE": 8, "WINDOW_ALPHA_SIZE": 8,
         "WINDOW_ACCUM_RED_SIZE": 32, "WINDOW_ACCUM_GREEN_SIZE": 32, "WINDOW_ACCUM_BLUE_SIZE": 32,
         "WINDOW_ACCUM_ALPHA_SIZE": 32, "WINDOW_DOUBLEBUFFER": int(window.double), "WINDOW_RGBA": 1,

@@ -187,6 +187,9 @@ class Loop:
     def end_step(self) -> None:
         """Report the step.  Raises FinishedError after the last one."""
         self.step += 1
+        for window in self.windows.values():
+            self.notes += window.notes
+            window.notes.clear()
         if self.on_step is not None:
             self.on_step(self)
         if self.steps is not None and self.step >= max(self.steps, 1 + len(self.events)):

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib import import_module
 from typing import Any
 
@@ -13,6 +15,7 @@ from glsim.glut.constants import NAMES
 from glsim.glut.loop import Loop
 from glsim.glut.popup import Popup
 from glsim.glut.window import Window
+from glsim.machine.interrupts import uninterrupted
 
 WAIT = 10.0  # milliseconds between two looks at the events when nothing is to be done
 VERTEX = """#version 330 core
@@ -112,23 +115,23 @@ class Shown:
         if not self.handle:
             raise RuntimeError("glfw could not open a window")
         self.texture: Any = None
-        self._enter()
-        loader: Any = _Loader(glfw)
-        self.ctx = moderngl.create_context(context=loader, require=330)
-        self.program = self.ctx.program(vertex_shader=VERTEX, fragment_shader=FRAGMENT)
-        self.triangle = self.ctx.vertex_array(self.program, [])
-        self._leave()
+        with self._current():
+            loader: Any = _Loader(glfw)
+            self.ctx = moderngl.create_context(context=loader, require=330)
+            self.program = self.ctx.program(vertex_shader=VERTEX, fragment_shader=FRAGMENT)
+            self.triangle = self.ctx.vertex_array(self.program, [])
         self.buttons: set[int] = set()
         self.popup: Popup | None = None
         self._listen()
 
-    def _enter(self) -> None:
+    @contextmanager
+    def _current(self) -> Iterator[None]:
         """The window's context instead of the one that draws: of one thread only one of them can be current."""
-        self.window.screen.detach()
-        self.glfw.make_context_current(self.handle)
-
-    def _leave(self) -> None:
-        self.glfw.make_context_current(None)
+        with uninterrupted():
+            self.window.screen.detach()
+            self.glfw.make_context_current(self.handle)
+            yield
+            self.glfw.make_context_current(None)
 
     def present(self) -> None:
         """Show the window's picture."""
@@ -138,15 +141,14 @@ class Shown:
         if self.popup is not None:
             picture = self.popup.drawn_on(picture, self._at())
         height, width = picture.shape[:2]
-        self._enter()
-        if self.texture is None or self.texture.size != (width, height):
-            self.texture = self.ctx.texture((width, height), 3, alignment=1)
-        self.texture.write(np.ascontiguousarray(picture))
-        self.texture.use()
-        self.ctx.viewport = (0, 0, *self.glfw.get_framebuffer_size(self.handle))
-        self.triangle.render(moderngl.TRIANGLES, vertices=3)
-        self.glfw.swap_buffers(self.handle)
-        self._leave()
+        with self._current():
+            if self.texture is None or self.texture.size != (width, height):
+                self.texture = self.ctx.texture((width, height), 3, alignment=1)
+            self.texture.write(np.ascontiguousarray(picture))
+            self.texture.use()
+            self.ctx.viewport = (0, 0, *self.glfw.get_framebuffer_size(self.handle))
+            self.triangle.render(moderngl.TRIANGLES, vertices=3)
+            self.glfw.swap_buffers(self.handle)
 
     def close(self) -> None:
         self.glfw.destroy_window(self.handle)

@@ -24,10 +24,12 @@ from numpy.typing import NDArray
 from glsim import gl
 from glsim.machine.assembly import assemble
 from glsim.machine.errors import show
+from glsim.machine.kept import kept
 
 Array = NDArray[np.float32]
 Indices = NDArray[np.int64]
-CACHED = 64  # shapes that each function keeps
+MEMORY = 64 * 1024 * 1024  # bytes of shapes that each function keeps
+MOST_PIECES = 1 << 20  # of a shape: slices times stacks
 
 
 class Part(NamedTuple):
@@ -58,7 +60,7 @@ def _geometry(vertices: Array, normals: Array, *pieces: tuple[int, Indices], tex
     return Geometry(drawn[0], drawn[1], drawn[2], parts)  # type: ignore[arg-type]
 
 
-@lru_cache(maxsize=128)
+@kept(MEMORY)
 def _triangles(first: int, strips: int, size: int) -> NDArray[np.uint32]:
     """The triangles of triangle strips of ``size`` vertices each, in their order: one call instead of many."""
     pattern = assemble(gl.GL_TRIANGLE_STRIP, size, last=False)
@@ -123,6 +125,14 @@ def _whole(name: str, argument: str, value: Any, least: int) -> int:
     return number
 
 
+def _pieces(name: str, one: str, n: Any, least: int, other: str, k: Any, least_other: int) -> tuple[int, int]:
+    """The numbers of pieces both ways around."""
+    n, k = _whole(name, one, n, least), _whole(name, other, k, least_other)
+    if n * k > MOST_PIECES:
+        raise ValueError(f"{name}: {one} times {other} must be at most {MOST_PIECES}, not {n} * {k}")
+    return n, k
+
+
 # ---------------------------------------------------------------- round shapes
 
 
@@ -156,7 +166,7 @@ def _rings(first: int, rings: int, slices: int) -> Indices:
     return first + np.arange(rings * slices).reshape(rings, slices)
 
 
-@lru_cache(CACHED)
+@kept(MEMORY)
 def _sphere(radius: float, slices: int, stacks: int, wire: bool) -> Geometry:
     sine, cosine = (table[:-1] for table in _circle(-slices))
     ring, axis = (table[1:-1, None] for table in _circle(stacks, half=True))
@@ -182,10 +192,10 @@ def glutWireSphere(radius: float, slices: int, stacks: int) -> None:
 
 
 def _sphere_arguments(name: str, radius: float, slices: int, stacks: int) -> tuple[float, int, int]:
-    return _length(name, "radius", radius), _whole(name, "slices", slices, 1), _whole(name, "stacks", stacks, 2)
+    return _length(name, "radius", radius), *_pieces(name, "slices", slices, 1, "stacks", stacks, 2)
 
 
-@lru_cache(CACHED)
+@kept(MEMORY)
 def _cone(base: float, height: float, slices: int, stacks: int, wire: bool) -> Geometry:
     sine, cosine = (table[:-1] for table in _circle(-slices))
     r, h = np.float32(base), np.float32(height)
@@ -223,7 +233,7 @@ def glutWireCone(base: float, height: float, slices: int, stacks: int) -> None:
     _draw(_cone(*_tube_arguments("glutWireCone", "base", base, height, slices, stacks), True))
 
 
-@lru_cache(CACHED)
+@kept(MEMORY)
 def _cylinder(radius: float, height: float, slices: int, stacks: int, wire: bool) -> Geometry:
     sine, cosine = (table[:-1] for table in _circle(-slices))
     r, h = np.float32(radius), np.float32(height)
@@ -256,10 +266,10 @@ def _tube_arguments(
     name: str, radius_name: str, radius: float, height: float, slices: int, stacks: int
 ) -> tuple[float, float, int, int]:
     lengths = _length(name, radius_name, radius), _length(name, "height", height)
-    return *lengths, _whole(name, "slices", slices, 1), _whole(name, "stacks", stacks, 1)
+    return *lengths, *_pieces(name, "slices", slices, 1, "stacks", stacks, 1)
 
 
-@lru_cache(CACHED)
+@kept(MEMORY)
 def _torus(inner: float, outer: float, sides: int, rings: int, wire: bool) -> Geometry:
     sine, cosine = (table[:-1] for table in _circle(-sides))
     around_sine, around_cosine = (table[:-1, None] for table in _circle(rings))
@@ -284,7 +294,7 @@ def glutWireTorus(dInnerRadius: float, dOuterRadius: float, nSides: int, nRings:
 
 def _torus_arguments(name: str, inner: float, outer: float, sides: int, rings: int) -> tuple[float, float, int, int]:
     radii = _length(name, "dInnerRadius", inner), _length(name, "dOuterRadius", outer)
-    return *radii, _whole(name, "nSides", sides, 2), _whole(name, "nRings", rings, 2)
+    return *radii, *_pieces(name, "nSides", sides, 2, "nRings", rings, 2)
 
 
 # ---------------------------------------------------------------- polyhedra
@@ -364,7 +374,7 @@ SOLIDS = {
 }
 
 
-@lru_cache(CACHED)
+@kept(MEMORY)
 def _solid(name: str, wire: bool, size: float = 1.0) -> Geometry:
     """Each face has corners of its own, with its normal."""
     shape = SOLIDS[name]
@@ -444,7 +454,7 @@ def glutWireRhombicDodecahedron() -> None:
 MOST_LEVELS = 10  # a million tetrahedra
 
 
-@lru_cache(4)
+@kept(MEMORY)
 def _sponge(levels: int, offset: tuple[float, float, float], scale: float, wire: bool) -> Geometry:
     """Four sponges of half the size at the corners of a tetrahedron, and so on."""
     size, middles = np.float32(scale), np.array([offset], np.float64)
@@ -554,7 +564,7 @@ def _copies(grid: Array, copies: int) -> list[Array]:
     return [np.stack(turned, axis=-1) for turned in ((x, y, z), (z, y, -x), (-x, y, -z), (-z, y, x))]
 
 
-@lru_cache(CACHED)
+@kept(MEMORY)
 def _tea(name: str, size: float, wire: bool) -> Geometry:
     """Solid: 7 x 7 quads for each patch, in two triangles each; wire: 10 x 10 line strips."""
     vessel, n = VESSELS[name], 10 if wire else 8

@@ -25,7 +25,10 @@ def edge_kinds(draw: Draw, rings: NDArray[np.uint32]) -> NDArray[np.int64]:
 
 
 def distances(clip: Float, eye: Float, transform: Transform) -> Float:
-    """Signed distances (n, p) from the planes of the clip volume; negative is outside.  clip, eye: coordinates (n, 4)."""
+    """Signed distances (n, p) from the planes of the clip volume; negative is outside.
+
+    clip, eye: coordinates (n, 4).
+    """
     x, y, z, w = clip.T
     planes = [w + x, w - x, w + y, w - y, w + z, w - z]
     for plane, enabled in zip(transform.clip_planes, transform.clip_enabled, strict=True):

@@ -1,47 +1,162 @@
-"""Which machine the gl commands drive.
+"""Which machine the gl commands drive: each thread has its own, as in OpenGL.
 
-``make_current`` tells everybody who holds a reference; the gl modules do, so that the hot commands reach the machine
-through one global name.
+The commands read it from one global name, ``current`` of glsim/gl/immediate.py.  As long as a single thread has a
+machine, it is that machine.  When a second thread has one too, it is a Router, which runs each command again as the
+calling thread's own copy: a function of the same code whose global ``current`` is the thread's machine.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import os
+import threading
+import weakref
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
 from glsim.machine.errors import NoContextError
+from glsim.machine.interrupts import uninterrupted
+from glsim.machine.record import implementations
 
 if TYPE_CHECKING:
     from glsim.machine.machine import Machine
+
+NO_CONTEXT = (
+    "no context is current: call glsim.offscreen(width, height) before the first gl command (and keep what it returns)"
+)
 
 
 class NoMachine:
     """Stands in while no context is current: whatever is asked of it, it says what to do."""
 
+    def __init__(self, sentence: str = NO_CONTEXT) -> None:
+        self.__dict__["sentence"] = sentence
+
     def __getattr__(self, name: str) -> Any:
-        raise NoContextError(
-            "no context is current: call glsim.offscreen(width, height) before the first gl command"
-            " (and keep what it returns)"
-        )
+        raise NoContextError(self.__dict__["sentence"])
 
 
-_current: Any = NoMachine()
-_listeners: list[Callable[[Any], None]] = []
+class Place:
+    """What one thread has current.  It is gone when the thread has ended."""
+
+    def __init__(self) -> None:
+        self.machine: Any = _nobody
+        self.namespace: dict[str, Any] = {}
+        self.commands: dict[str, Callable[..., Any]] = {}
+        weakref.finalize(self, _vacate, id(self)).atexit = False
+
+    def command(self, name: str) -> Callable[..., Any]:
+        """The thread's own copy of a command."""
+        if name not in self.commands:
+            if not self.commands:
+                self.namespace = {**_namespace, "current": self.machine}
+            public: Any = implementations[name]
+            self.commands[name] = FunctionType(
+                public.__code__, self.namespace, name, public.__defaults__, public.__closure__
+            )
+        return self.commands[name]
+
+
+class _Here(threading.local):
+    def __init__(self) -> None:
+        self.place = Place()
+
+
+class Router:
+    """Stands where the machine stands while several threads have one."""
+
+    busy = True  # so that each command comes here
+
+    def recorder(self, name: str, arguments: tuple[Any, ...]) -> Any:
+        return _here.place.command(name)(*arguments)
+
+    intercept = recorder
+
+
+_nobody: Any = NoMachine()
+_namespace: dict[str, Any] = {}  # the globals of the commands
+_holders: dict[int, Any] = {}  # the machines that are current in a thread, by its place
+_lock = threading.RLock()
+
+
+def here() -> Place:
+    """The calling thread's place."""
+    return _here.place
 
 
 def current_machine() -> Machine:
-    """The machine that gl commands drive now (or the stand-in that raises NoContextError)."""
-    return _current  # type: ignore[no-any-return]
+    """The machine that this thread's gl commands drive now (or the stand-in that raises NoContextError)."""
+    return _here.place.machine  # type: ignore[no-any-return]
 
 
 def make_current(machine: Machine | None) -> None:
-    global _current
-    _current = machine if machine is not None else NoMachine()
-    for listener in _listeners:
-        listener(_current)
+    """Let this thread's gl commands drive ``machine``, or nothing.
+
+    Raises RuntimeError if it is current in another thread: a context is current in one thread at a time.
+    """
+    with uninterrupted():
+        _switch(machine)
 
 
-def on_switch(listener: Callable[[Any], None]) -> None:
-    """Call ``listener`` with the machine now and at each later switch."""
-    _listeners.append(listener)
-    listener(_current)
+@contextmanager
+def driving(machine: Machine) -> Iterator[None]:
+    """Send the gl commands of the block to ``machine``; signals wait until the block has ended."""
+    with uninterrupted():
+        before = current_machine()
+        try:
+            _switch(machine)
+            yield
+        finally:
+            _switch(before)
+
+
+def attach(namespace: dict[str, Any]) -> None:
+    """Keep ``current`` in these globals up to date."""
+    global _namespace
+    _namespace = namespace
+    _choose()
+
+
+def _switch(machine: Any) -> None:
+    place = _here.place
+    with _lock:
+        if machine is None or isinstance(machine, NoMachine):
+            place.machine = _nobody
+            _holders.pop(id(place), None)
+        else:
+            if machine.thread != threading.get_ident() and machine in _holders.values():
+                raise RuntimeError(
+                    "this context is current in another thread: open one for this thread, with glsim.offscreen"
+                )
+            machine.thread = threading.get_ident()
+            place.machine = _holders[id(place)] = machine
+        place.namespace["current"] = place.machine
+        _choose()
+
+
+def _choose() -> None:
+    """What the commands reach: the only machine there is, or the router."""
+    machines = list(_holders.values())
+    _namespace["current"] = _nobody if not machines else machines[0] if len(machines) == 1 else _router
+
+
+def _vacate(place: int) -> None:
+    """A thread has ended."""
+    with _lock:
+        _holders.pop(place, None)
+        _choose()
+
+
+def forget(sentence: str) -> None:
+    """No thread has a machine any more, and whoever needs one is told why."""
+    global _nobody
+    _nobody = NoMachine(sentence)
+    _holders.clear()
+    _switch(None)
+
+
+_router = Router()
+_here = _Here()
+if hasattr(os, "register_at_fork"):  # no other thread is switching while the process is copied
+    os.register_at_fork(before=_lock.acquire, after_in_parent=_lock.release, after_in_child=_lock.release)

@@ -13,8 +13,6 @@ from traceback import walk_tb
 from types import CodeType
 from typing import Any, TypeVar
 
-import numpy as np
-
 from glsim.machine.commands import COMMANDS, NUMBERS, numbers_wanted
 from glsim.machine.constants import (
     GL_INVALID_ENUM,
@@ -25,7 +23,6 @@ from glsim.machine.constants import (
     GL_STACK_UNDERFLOW,
     Enum,
 )
-from glsim.machine.types import is_pointer
 
 F = TypeVar("F", bound=Callable[..., Any])
 Kinds = tuple[tuple[str, str], ...]  # of a call's arguments: name and kind, as in the command table
@@ -101,10 +98,10 @@ def show(value: object) -> str:
         if value.bit_length() > 64:
             return f"a number of {value.bit_length()} bits"
         return f"{value} (0x{value:X})" if value > 255 else str(value)
-    if isinstance(value, np.ndarray):
-        text = repr(value.tolist()) if value.size <= 4 else f"an array of shape {value.shape}"
-    else:
-        text = repr(value)
+    array: Any = value if hasattr(value, "shape") and hasattr(value, "tolist") else None
+    text = repr(value) if array is None else repr(array.tolist())
+    if array is not None and array.size > 4:
+        text = f"an array of shape {array.shape}"
     return text if len(text) <= 60 else text[:57] + "..."
 
 
@@ -227,7 +224,7 @@ def _complaint(kind: str, value: object, count: int | None) -> str:
         return _array_complaint(value, count)
     try:
         number = float(value)  # type: ignore[arg-type]
-        if isinstance(value, (str, bytes, bytearray)) or np.ndim(value):  # type: ignore[arg-type]
+        if isinstance(value, (str, bytes, bytearray)) or getattr(value, "ndim", 0):
             return "a number"
         if kind not in ("f", "d", "boolean"):
             int(number)
@@ -239,6 +236,10 @@ def _complaint(kind: str, value: object, count: int | None) -> str:
 
 
 def _array_complaint(value: Any, count: int | None) -> str:
+    import numpy as np  # so that ``glsim --help`` is quick
+
+    from glsim.machine.types import is_pointer
+
     numbers = "a list, tuple or array of numbers" if count is None else f"a list, tuple or array of {count} numbers"
     if is_pointer(value):
         return f"{numbers} (a pointer of ctypes does not say how many there are)"

@@ -1,4 +1,4 @@
-"""Write what follows from the command table, into glsim/gl: ``python -m glsim.machine.generate``.
+"""Write what follows from the command table, into glsim/gl, glu and glut: ``python -m glsim.machine.generate``.
 
 glVertex, glNormal, glColor and glTexCoord are called once a vertex, so their code is written out: each variant
 does nothing but store.  A test checks that the files are what this program writes.
@@ -6,14 +6,11 @@ does nothing but store.  A test checks that the files are what this program writ
 
 from __future__ import annotations
 
-import inspect
-from importlib import import_module
 from pathlib import Path
-from typing import Any
 
-from glsim.machine.commands import COMMANDS, FAMILIES, Command
-from glsim.machine.constants import Enum
+from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.frame import ROW_BYTES
+from glsim.machine.stubs import PYTHON_TYPE, gl_stubs, library_stubs
 
 GL = Path(__file__).parent.parent / "gl"
 HOT = ("glVertex", "glNormal", "glColor", "glTexCoord")
@@ -27,7 +24,6 @@ SCALED = {
     "s": "(2 * {0} + 1) / 65535.0",
     "i": "(2 * {0} + 1) / 4294967295.0",
 }
-PYTHON_TYPE = {"f": "float", "d": "float", "data": "Numbers", "boolean": "bool"}
 
 IMMEDIATE = '''\
 """The commands that are called once a vertex.  Written by ``python -m glsim.machine.generate``; do not edit.
@@ -42,20 +38,13 @@ from struct import Struct
 from typing import Any
 
 from glsim.gl.arguments import again
-from glsim.machine.current import on_switch
+from glsim.machine.current import attach
 from glsim.machine.errors import MISUSE as BAD
 
 row = Struct("10f").pack
 Numbers = Sequence[Any]
-m: Any
-
-
-def _switch(machine: Any) -> None:
-    global m
-    m = machine
-
-
-on_switch(_switch)
+current: Any  # the machine; see glsim/machine/current.py
+attach(globals())
 '''
 
 
@@ -97,6 +86,7 @@ def hot_function(command: Command) -> str:
     recorded = f"{given} if surplus is None else ({', '.join(parameters)}, surplus)"
     return (
         f"def {command.name}({signature}, surplus: Any = None) -> None:\n"
+        f"    m = current\n"
         f"    if m.recorder:\n"
         f'        return m.recorder("{command.name}", {recorded})  # type: ignore[no-any-return]\n'
         f"    try:\n{lines}\n"
@@ -109,47 +99,6 @@ def immediate() -> str:
     first = "def _first(v: Any) -> Any:\n    return v[0] if hasattr(v, '__getitem__') else v\n".replace("'", '"')
     functions = [hot_function(command) for family in HOT for command in FAMILIES[family]]
     return "\n\n".join([IMMEDIATE, first, *functions])
-
-
-def stubs() -> str:
-    """glsim/gl/__init__.pyi: the signature of every command and the name of every constant."""
-    gl: Any = import_module("glsim.gl")
-
-    lines = [
-        '"""Signatures of the gl commands.  Written by ``python -m glsim.machine.generate``; do not edit."""',
-        "",
-        "from collections.abc import Sequence",
-        "from typing import Any",
-        "",
-        "from glsim.machine.constants import Enum as Enum",
-        "from glsim.machine.errors import GLError as GLError",
-        "from glsim.machine.errors import NoContextError as NoContextError",
-        "",
-        "Numbers = float | Sequence[Any] | Any  # a number, a sequence of numbers, a numpy or ctypes array",
-        "error: type[GLError]",
-        "",
-    ]
-    for name in sorted(name for name in gl.__all__ if name.startswith("GL_")):
-        value = getattr(gl, name)
-        lines.append(f"{name}: {'Enum' if isinstance(value, Enum) else 'int'}")
-    lines.append("")
-    for name in sorted(name for name in gl.__all__ if name.startswith("gl") and callable(getattr(gl, name))):
-        lines.append(stub(name, inspect.signature(getattr(gl, name))))
-    return "\n".join(lines) + "\n"
-
-
-def stub(name: str, signature: inspect.Signature) -> str:
-    command = COMMANDS.get(name)
-    kinds = dict(command.arguments) if command else {}
-    words = []
-    for parameter in signature.parameters.values():
-        if parameter.kind is parameter.VAR_POSITIONAL:
-            words.append(f"*{parameter.name}: Any")
-            continue
-        kind = "Any" if parameter.name not in kinds else PYTHON_TYPE.get(kinds[parameter.name], "int")
-        words.append(f"{parameter.name}: {kind}" + (" = ..." if parameter.default is not parameter.empty else ""))
-    returns = "None" if command and not command.result else "Any"
-    return f"def {name}({', '.join(words)}) -> {returns}: ..."
 
 
 # commands that are there and do not do all they say: why
@@ -172,6 +121,10 @@ Notes:
 - The texels of a texture border are dropped, as drivers have done for decades.
 - GL_POLYGON_SMOOTH is accepted and drawn without smoothing, as Mesa does; `glsim.offscreen(samples=4)` smooths all.
 - Wide and stippled lines may differ from a driver's by a pixel at their ends and where a pattern changes.
+- A GLUT window has a depth and a stencil buffer only if glutInitDisplayMode asks for them, as with freeglut and Mesa:
+  else the tests have no effect, GL_DEPTH_BITS is 0, and `glsim run` and `glsim trace` say so. GLUT_STENCIL brings a
+  depth buffer along; without glutInitDisplayMode there is a depth buffer. Alpha and the accumulation buffer are always
+  there. Windows of pygame and glfw, and `glsim.offscreen`, have all buffers.
 - Generic compressed formats (GL_COMPRESSED_RGB, ...) are stored uncompressed, as the specification allows.
 - Internal formats of less or more than 8 bits are stored with 8; depth textures with 24.
 
@@ -184,9 +137,27 @@ Where Mesa 22.3.6 and the specification of OpenGL 1.5 disagree, glsim does what 
 - Normal arrays of GL_BYTE map by OpenGL 4.2's rule c / 127.
 - Smooth points are hard discs; smooth lines get thinner with perspective; GL_LINE_RESET_TOKEN never comes.
 - Bitmaps are not fogged, overlapping bitmaps blend once, and textured ones take the last raster position's coordinates.
+- With gluPerspective in the modelview matrix, lighting takes eye coordinates without the division by w (2.14.1), and
+  normals by a part of the inverse of the whole matrix, where 2.11.3 allows the inverse of its part or the plane's q.
+- In a stippled strip each line counts up to the next whole pixel, instead of its fragments.
+- A clipped quad or polygon in GL_POINT has points where its diagonals are cut.
 - A shininess of 0 gives a highlight wherever there is light; Mesa drops it where N.H < 0 and for attenuated lights.
 - glDrawPixels with GL_MAP_COLOR gets blue by none of the maps, and looks up other entries than the rounded ones;
   GL_INDEX_SHIFT has no effect on it.
+- In a display list, an attribute that is set for the first time after the first triangle of a glBegin keeps, for the
+  triangle it is set in, the value from before.
+- After GL_COMPILE_AND_EXECUTE the current colour is not the one that glColor set between glBegin and glEnd after the
+  last vertex, and a command that is illegal there raises no error.
+- Pixel rectangles are not fogged, get no secondary colour, and the texture matrix of their glRasterPos has no effect.
+- The sum of primary and secondary colour is not clamped to 1 before fog.
+- glPopAttrib(GL_FOG_BIT) leaves GL_COLOR_SUM as it is, glPopAttrib(GL_ENABLE_BIT) the lights GL_LIGHTi.
+- Where the 2D texture of a unit is incomplete, an enabled 1D texture is drawn in its place.
+- Bitmaps that overlap pass the stencil test, and change the stencil buffer, once.
+- glAccum under GLX goes through an sRGB view: GL_RETURN with 0.5 gives 92 where half of 128 is 64.
+
+Done as Mesa does, against section 2.11: edges that clipping by the view volume introduces are not boundary edges. They
+would frame every picture of outlines, and Mesa draws none. What glClipPlane introduces is drawn in GL_LINE and
+GL_POINT.
 
 Not specified, and done as Mesa does: how a quad is cut into triangles; which pixels a point between pixels covers.
 """
@@ -216,7 +187,9 @@ def main() -> None:
     from glsim.files import write_text
 
     write_text(GL / "immediate.py", immediate())
-    write_text(GL / "__init__.pyi", stubs())
+    write_text(GL / "__init__.pyi", gl_stubs())
+    for library in ("glu", "glut"):
+        write_text(GL.parent / library / "__init__.pyi", library_stubs(library))
     write_text(GL / "SUPPORT.md", support())
 
 

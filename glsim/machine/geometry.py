@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from glsim.machine.assembly import assemble, complete, corners
 from glsim.machine.constants import GL_FILL, GL_LINES, GL_POINTS, GL_TRIANGLES
-from glsim.machine.current import current_machine, make_current
+from glsim.machine.current import driving
+from glsim.machine.errors import out_of_memory
 from glsim.machine.frame import Draw, Vertices
 from glsim.machine.machine import Machine
 from glsim.machine.record import implementations
@@ -25,6 +26,9 @@ REGISTERS = ("nx", "ny", "nz", "red", "green", "blue", "alpha")
 
 class _NoDevice:
     width = height = 1
+
+    def check(self) -> None:
+        raise out_of_memory("so many vertices are drawn each time that the list is called, not kept")
 
 
 class Geometry:
@@ -119,13 +123,9 @@ def _execute(calls: Sequence[AnyCall], clients: dict[int, dict[Any, Any]], first
     scratch.nx = scratch.ny = scratch.nz = scratch.red = scratch.green = scratch.blue = scratch.alpha = NAN
     scratch.tracks = {name: [(0, (NAN,) * len(track[0][1]))] for name, track in scratch.tracks.items()}
     scratch.texcoord = scratch.tracks["texcoord0"]
-    before = current_machine()
-    make_current(scratch)
-    try:
+    with driving(scratch):
         for position, (name, arguments) in enumerate(calls, first):
             if position in clients:
                 scratch.client = clients[position]
             implementations[name](*arguments)
-    finally:
-        make_current(before)
     return scratch

@@ -7,6 +7,7 @@ packets of the frame.  At a flush point the packets go to the ``device``, which 
 from __future__ import annotations
 
 import io
+from _thread import get_ident
 from collections.abc import Callable
 from typing import Any, Protocol
 
@@ -14,8 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.constants import GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE
-from glsim.machine.errors import invalid_operation
+from glsim.machine.errors import NoContextError, invalid_operation
 from glsim.machine.frame import ROW, ROW_BYTES, Draw, Frame, Matrices, Packet, Vertices
+from glsim.machine.interrupts import uninterrupted
 from glsim.machine.matrix import Matrix, identity
 from glsim.machine.pixels import PixelMode, PixelStore
 from glsim.machine.state import (
@@ -42,8 +44,10 @@ from glsim.machine.state import (
     take_groups,
 )
 
-# Vertices are handed to the device when they take more than this, so that a program that never flushes stays small.
+# So that a program that never flushes stays small, packets are handed to the device when their vertices, or pictures of
+# pixel rectangles, take more than LARGE bytes, or when there are more than MANY packets.
 LARGE = 256 * 1024 * 1024
+MANY = 1 << 18
 
 # Depths of the matrix stacks; the specification's minimum is 32, 2 and 2.
 ATTRIB_STACK_DEPTH = 16
@@ -57,6 +61,9 @@ class Device(Protocol):
 
     width: int
     height: int
+
+    def check(self) -> None:
+        """Raise if it cannot draw now, in this thread; whoever asks loses nothing yet."""
 
     def execute(self, packets: list[Packet]) -> None: ...
 
@@ -99,10 +106,10 @@ class Machine:
         "accum_clear", "alpha", "array_buffer", "attrib_stack", "begin_material", "blue", "buffers", "busy",
         "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling",
         "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest",
-        "list_base", "lists", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz", "pack_store", "packets",
-        "pixel", "projection", "queries", "raster", "recorder", "red", "selection", "several_texture_matrices", "stack",
-        "stacks", "stream", "texcoord", "texture_names", "texture_stacks", "textures", "tracks", "unpack_store",
-        "write", "__weakref__",
+        "limits", "list_base", "lists", "lowest", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz",
+        "pack_store", "packets", "pixel", "projection", "queries", "raster", "recorder", "red", "selection",
+        "several_texture_matrices", "stack", "stacks", "stream", "texcoord", "texture_names", "texture_stacks",
+        "textures", "thread", "tracks", "unpack_store", "waiting", "write", "__weakref__",
         # groups of state
         "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",
         "polygon_stipple", "scissor", "stencil", "texture", "transform", "viewport",
@@ -110,13 +117,18 @@ class Machine:
 
     def __init__(self, device: Device) -> None:
         self.device = device
+        self.thread = get_ident()  # in which it is current
         self.capturing: Frame | None = None
         self.change: Callable[[Draw], Draw] | None = None  # made of every Draw: another shade model, say
-        self.recorder: Callable[[str, tuple[Any, ...]], Any] | None = None
+        self.limits: Callable[[Packet], Packet] | None = None  # what a window that lacks buffers makes of every packet
         self.reset()
 
     def reset(self) -> None:
-        """Set every state to its initial value; what was drawn and not flushed is dropped."""
+        """Set every state to its initial value; what was drawn and not flushed is dropped.
+
+        A Frame that is being captured, and a Recorder, begin anew.
+        """
+        recorder: Any = getattr(self, "recorder", None)
         # current values, section 2.7
         self.nx, self.ny, self.nz = 0.0, 0.0, 1.0
         self.red = self.green = self.blue = self.alpha = 1.0
@@ -133,6 +145,7 @@ class Machine:
         self.texture = Texturing()
         self.textures = {(0, texture.kind): texture for texture in self.texture.unit.bound}
         self.texture_names: set[int] = set()  # by glGenTextures
+        self.lowest: dict[str, int] = {}  # no name of "textures", "buffers", "queries" or "lists" below it is free
         self.fog = Fog()
         self.depth = Depth()
         self.stencil = Stencil()
@@ -175,12 +188,19 @@ class Machine:
         self.stack = self.modelview
         # vertices and packets since the last flush
         self.inside: int | None = None
-        self.recorder = None
+        self.recorder: Callable[[str, tuple[Any, ...]], Any] | None = None
         self.busy = False
         self.first = 0
         self.begin_material = self.material
         self.packets: list[Packet] = []
+        self.waiting = 0  # bytes of the pictures in packets
         self._new_stream()
+        if self.capturing is not None:
+            self.capturing.packets.clear()
+        recorder = getattr(recorder, "outer", recorder)  # of a display list that was being compiled
+        if recorder is not None:
+            recorder.restart()
+            self.record(recorder)
 
     def _new_stream(self) -> None:
         self.stream = io.BytesIO()
@@ -212,6 +232,10 @@ class Machine:
     # ------------------------------------------------------------ primitives
 
     def begin(self, mode: int) -> None:
+        if get_ident() != self.thread:
+            raise NoContextError(
+                "no context is current in this thread: each thread opens its own, with glsim.offscreen"
+            )
         self.inside = mode
         self.busy = True
         self.first = self.stream.tell() // ROW_BYTES
@@ -230,7 +254,7 @@ class Machine:
         while self.materials and self.materials[-1][0] == first + count:
             self.materials.pop()  # glMaterial after the last vertex
         self.packets.append(Draw(mode, first, count, None, self.matrices(), self.begin_material, self.snapshot()))
-        if end > LARGE:
+        if end > LARGE or len(self.packets) > MANY:
             self.flush()
 
     def add_draw(
@@ -245,14 +269,12 @@ class Machine:
         self.stream.write(np.ascontiguousarray(rows, np.float32).data)
         self.columns += [(name, first, values) for name, values in columns.items()]
         self.packets.append(Draw(mode, first, len(rows), indices, self.matrices(), self.material, self.snapshot()))
-        if self.stream.tell() > LARGE:
-            self.flush()
+        self.relieve()
 
     def matrices(self) -> Matrices:
         """What a Draw made now is transformed with."""
-        first, *others = self.texture_stacks
-        usual = self.modelview[-1], self.projection[-1], first[-1]
-        return (*usual, *(stack[-1] for stack in others)) if self.several_texture_matrices else usual
+        usual = self.modelview[-1], self.projection[-1], self.texture_stacks[0][-1]
+        return usual if not self.several_texture_matrices else (*usual, *[s[-1] for s in self.texture_stacks[1:]])
 
     def snapshot(self) -> Snapshot:
         """The groups of state as they are; the same object as long as none changes."""
@@ -263,30 +285,45 @@ class Machine:
 
     # ------------------------------------------------------------ flush points
 
+    def add(self, packet: Packet, size: int = 0) -> None:
+        """A packet that is no primitive.  size: bytes of its picture."""
+        self.packets.append(packet)
+        self.waiting += size
+        self.relieve()
+
+    def relieve(self) -> None:
+        """Hand the packets to the device if they take much memory."""
+        if self.stream.tell() + self.waiting > LARGE or len(self.packets) > MANY:
+            self.flush()
+
     def flush(self) -> None:
         """Hand all packets to the device; nothing happens between glBegin and glEnd."""
         if not self.packets or self.inside is not None:
             return
-        packets, self.packets = self.packets, []
-        try:
-            vertices = self.take_vertices()
-        except (TypeError, ValueError):
-            self._drop_tracks()
-            raise TypeError(
-                "a texture coordinate, secondary color, fog coordinate or edge flag was no number;"
-                " what was drawn with it is lost"
-            ) from None
-        for packet in packets:
-            if type(packet) is Draw and packet.vertices is None:
-                packet.vertices = vertices
-        if self.collector is not None:
-            self.collector(packets)
-            return
-        if self.change is not None:
-            packets = [self.change(packet) if type(packet) is Draw else packet for packet in packets]
-        if self.capturing is not None:
-            self.capturing.packets += packets
-        self.device.execute(packets)
+        self.device.check()
+        with uninterrupted():
+            packets, self.packets, self.waiting = self.packets, [], 0
+            try:
+                vertices = self.take_vertices()
+            except (TypeError, ValueError, OverflowError):
+                self._drop_tracks()
+                raise TypeError(
+                    "a texture coordinate, secondary color, fog coordinate or edge flag was no number;"
+                    " what was drawn with it is lost"
+                ) from None
+            for packet in packets:
+                if type(packet) is Draw and packet.vertices is None:
+                    packet.vertices = vertices
+            if self.collector is not None:
+                self.collector(packets)
+                return
+            if self.limits is not None:
+                packets = [self.limits(packet) for packet in packets]
+            if self.change is not None:
+                packets = [self.change(packet) if type(packet) is Draw else packet for packet in packets]
+            if self.capturing is not None:
+                self.capturing.packets += packets
+            self.device.execute(packets)
 
     def complete(self) -> None:
         """Flush, for somebody who wants the picture.  Raises GLError between glBegin and glEnd."""

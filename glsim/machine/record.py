@@ -34,6 +34,11 @@ class Recorder:
         if not self.history:
             self.history.append(moment(machine, len(self.calls) - 1))
 
+    def restart(self) -> None:
+        """Forget the calls until now: the machine was reset."""
+        self.calls.clear()
+        self.history[:] = [moment(self.machine, -1)]
+
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
         if name in HOT:
             return self._hot(name, arguments)
@@ -95,7 +100,7 @@ def moment(m: Machine, call: int) -> Moment:
 
 # Rooms of glsim that the user's line is not in, and its generated code.
 PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-INNER = tuple(os.path.join(PACKAGE, room, "") for room in ("gl", "glu", "glut", "machine", "render", "study"))
+INNER = tuple(os.path.join(PACKAGE, room, "") for room in ("gl", "glu", "glut", "machine", "play", "render", "study"))
 _inner: dict[str, bool] = {}
 
 

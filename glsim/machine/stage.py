@@ -39,9 +39,9 @@ TRACKED: dict[int, tuple[str, ...]] = {
 
 
 class Stage(NamedTuple):
-    """Vertices after transformation and lighting: eye and clip coordinates (n, 4), where they are lit and normals in eye
-    space (n, 3), current colours, colours of both sides (n, 4), highlight apart (n, 3), texture coordinates by unit (n, 4).
-    """
+    """Vertices after transformation and lighting: eye and clip coordinates (n, 4); the lit point and the normal in
+    eye space (n, 3); current colours and colours of both sides (n, 4), highlight apart (n, 3); texture
+    coordinates by unit (n, 4)."""
 
     eye: Float
     clip: Float
@@ -67,7 +67,9 @@ def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int, colors: boo
     color = np.asarray(block.rows[chosen, 6:10] if draw.color is None else [draw.color] * len(chosen), np.float64)
     eye = P @ modelview
     N = _normals(draw, block.rows[chosen, 3:6].astype(np.float64), modelview)
-    lit = block.column("lit_position")[chosen].astype(np.float64) @ modelview if "lit_position" in block.columns else eye
+    lit = (
+        block.column("lit_position")[chosen].astype(np.float64) @ modelview if "lit_position" in block.columns else eye
+    )
     point = lit[:, :3] / lit[:, 3:]
     front = back = np.clip(color, 0.0, 1.0)
     highlight = np.zeros((len(chosen), 3))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 import zipfile
+import zlib
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,9 @@ from numpy.typing import NDArray
 from glsim.files import write_atomically
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.scene import SceneError
+
+# what NumPy raises for a file that is empty, cut off, or something else than npz
+DAMAGED = (OSError, EOFError, ValueError, KeyError, TypeError, AttributeError, zipfile.BadZipFile, zlib.error)
 
 
 def mark_of(patches: Patches, how: str) -> str:
@@ -45,7 +49,7 @@ class Checkpoint:
         try:
             with np.load(self.path) as kept:
                 return {name: kept[name] for name in kept.files} if str(kept["mark"]) == self.mark else {}
-        except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
+        except DAMAGED as error:
             raise SceneError(f"{self.path} is no checkpoint: name another file, or remove it") from error
 
     def remove(self) -> None:

@@ -13,6 +13,7 @@ from glsim.radiosity.scene import Scene, SceneError, area_of, normal_of
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
+RAYS = 9  # from a point, see _fan
 
 
 def exposed(patches: Patches) -> Patches:
@@ -20,7 +21,7 @@ def exposed(patches: Patches) -> Patches:
 
     A patch is covered where nearly all rays from its middle and from near its corners meet the backs of others;
     where a smaller polygon of its own plane lies on it; or where one of its plane looks the other way, as a floor does
-    to a crate's bottom, and no ray meets a front.
+    to a crate's bottom, and all rays meet backs, or there is nothing at all on the side to which it looks.
     """
     scene = patches.scene
     normals = np.array([normal_of(ring) for ring in scene.rings])
@@ -30,9 +31,10 @@ def exposed(patches: Patches) -> Patches:
         near = 0.9 * patches.rings[some, corner] + 0.1 * patches.center[some]
         hidden[some] = covered(scene, near, patches.normal[some], least=0)
     smaller, opposite = _coplanar(patches, normals)
-    there = np.flatnonzero(opposite)
     hidden |= smaller
-    hidden[there] |= met(scene, patches.center[there], patches.normal[there])[0] == 0
+    there = np.flatnonzero(opposite)
+    fronts, backs, both = met(scene, patches.center[there], patches.normal[there])
+    hidden[there] |= (fronts == 0) & ((backs + both == RAYS) | _at_the_end(patches, there))
     if not hidden.any():
         return patches
     if np.average(hidden, weights=patches.area) > 0.9:
@@ -49,7 +51,7 @@ def exposed(patches: Patches) -> Patches:
 def covered(scene: Scene, points: Float, ways: Float, least: int = 3) -> NDArray[np.bool_]:
     """Whether points (n, 3) with normals are inside of something: rays from them, at least so many, meet backs."""
     fronts, backs, both = met(scene, points, ways)
-    missed = 9 - fronts - backs - both
+    missed = RAYS - fronts - backs - both
     return np.asarray((backs >= least) & (fronts + missed <= backs // 8))
 
 
@@ -63,7 +65,7 @@ def met(scene: Scene, points: Float, ways: Float) -> tuple[Int, Int, Int]:
     normals = np.array([normal_of(ring) for ring in scene.rings])
     middle = scene.triangles().mean(axis=(0, 1))  # around which single precision is enough
     origins = (points - middle + 1e-4 * scene.size * ways).astype(np.float32)
-    facing = np.zeros((2, 9, len(points)), np.int64)  # 1: a front, -1: a back, 0: nothing
+    facing = np.zeros((2, RAYS, len(points)), np.int64)  # 1: a front, -1: a back, 0: nothing
     for which, shift in enumerate((2e-5, -2e-5)):  # polygons a little before or behind where they are
         embree = EmbreeScene()
         triangles = scene.triangles() - middle + shift * scene.size * normals[owner, None]
@@ -75,6 +77,14 @@ def met(scene: Scene, points: Float, ways: Float) -> tuple[Int, Int, Int]:
     same = facing[0] == facing[1]
     counts = [(same & (facing[0] == kind)).sum(axis=0) for kind in (1, -1)]
     return counts[0], counts[1], (~same).sum(axis=0)
+
+
+def _at_the_end(patches: Patches, chosen: Int) -> NDArray[np.bool_]:
+    """Of which patches the whole scene is behind."""
+    points = np.concatenate(patches.scene.rings)
+    to = np.array([(points @ way).max() - middle @ way for middle, way in
+                   zip(patches.center[chosen], patches.normal[chosen], strict=True)])  # fmt: skip
+    return to < TOUCHING * patches.scene.size
 
 
 def _fan(normals: Float) -> Float:

@@ -20,7 +20,7 @@ AT_ONCE = 16  # hemicubes in one picture, above each other
 
 def hemicube(patches: Patches, progress: Progress, resolution: int = RESOLUTION) -> NDArray[np.float32]:
     """S from the rows that hemicubes give, A_i F_ij; of S_ij and S_ji, which differ a little, the mean."""
-    from glsim import offscreen
+    from glsim.render.context import offscreen
 
     n, width = len(patches), 3 * resolution
     weights = delta_form_factors(resolution).ravel()

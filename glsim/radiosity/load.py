@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from glsim.radiosity.scene import Builder, Material, Scene, SceneError, View, view_of
 from glsim.radiosity.scenes import BUILT_IN
+from glsim.scenes.mesh import MeshError
 
 Float = NDArray[np.float64]
 CREASE = np.radians(40.0)  # flatter edges of a mesh are shaded round
@@ -38,12 +39,12 @@ def scene_from(what: Any, materials: Mapping[str, Material] | None = None) -> Sc
     elif str(what) in BUILT_IN and not Path(what).exists():
         scene = BUILT_IN[str(what)].make()
     elif str(what).endswith(".py"):
-        from glsim.study.frames import frame_of
+        from glsim.play.frames import frame_of
 
         scene = from_frame(frame_of(what), str(what))
     elif Path(what).is_dir():
         raise SceneError(f"{what} is a folder; name a mesh file, a program or a built-in scene")
-    elif Path(what).is_file():
+    elif Path(what).exists():
         scene = from_file(Path(what))
     else:
         raise SceneError(f"{what}: there is no such file, and the built-in scenes are {', '.join(BUILT_IN)}")
@@ -60,22 +61,17 @@ def scene_from(what: Any, materials: Mapping[str, Material] | None = None) -> Sc
 
 def from_file(path: Path) -> Scene:
     """A mesh file: base colour becomes rho, emissive colour E.  Smooth parts stay smooth."""
-    import trimesh
+    from glsim.scenes.reading import read
 
     try:
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")  # a sentence follows
-            loaded = trimesh.load_scene(path, process=False)
-        meshes = [(n, g) for n, g in loaded.geometry.items() if isinstance(g, trimesh.Trimesh) and len(g.faces)]
-        dumped = [g for g in loaded.dump() if isinstance(g, trimesh.Trimesh) and len(g.faces)]
-    except Exception as error:  # whatever the reader of this format trips over
-        reason = " ".join(str(error).split()) or type(error).__name__
-        kind = path.suffix.lower() or "mesh"
-        raise SceneError(f"{path} is no whole {kind} file: it cannot be read ({reason})") from error
-    if not dumped:
-        raise SceneError(f"{path} has no triangles")
+            loaded, dumped = read(path)
+    except MeshError as error:
+        raise SceneError(str(error)) from error
+    meshes = [name for name, mesh in loaded.geometry.items() if len(getattr(mesh, "faces", ()))]
     b = Builder(path.name)
-    names = [name for name, _ in meshes] if len(meshes) == len(dumped) else [f"part {k}" for k in range(len(dumped))]
+    names = meshes if len(meshes) == len(dumped) else [f"part {k}" for k in range(len(dumped))]
     for name, mesh in zip(names, dumped, strict=True):
         mesh.merge_vertices(merge_norm=True, merge_tex=True)
         material = _material(mesh, name)

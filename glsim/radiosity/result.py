@@ -101,7 +101,7 @@ class Radiosity:
         self, size: int = 512, view: int | View = 0, *, colors: Float | None = None, samples: int = 4
     ) -> Image.Image:
         """The scene from one of its cameras.  colors: of the vertices (V, 3), instead of the radiosity."""
-        from glsim import offscreen
+        from glsim.render.context import offscreen
 
         with offscreen(size, size, samples=samples) as screen:
             look(self.view(view), self.patches.scene)
@@ -114,7 +114,7 @@ class Radiosity:
 
     def beside_direct(self, size: int = 512, view: int | View = 0) -> Image.Image:
         """Direct illumination and radiosity from the same camera, side by side, with the same white."""
-        from glsim.study.sheet import tiles
+        from glsim.pictures import tiles
 
         both = (("direct illumination", self.direct()), ("radiosity", self.vertex_radiosity))
         row = [(name, np.asarray(self.picture(size, view, colors=self.colors(B)))) for name, B in both]

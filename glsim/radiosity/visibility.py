@@ -1,8 +1,14 @@
 """How much of one patch another one sees: rays between low-discrepancy points, against the original polygons.
 
 The share of a pair's form factor that is not blocked is sum w V / sum w, over rays with the kernel's weights
-w = cos(theta_1) cos(theta_2) / r^2.  Sixteen rays first; where they disagree, 48 more.  The points depend on the pair
-alone, so results are the same however many threads work.  Of few patches, all large, each pair gets twice as many.
+w = cos(theta_1) cos(theta_2) / r^2.  Sixteen rays first; where they disagree, 48 more, in groups of sixteen.  The points
+depend on the pair alone, so results are the same however many threads work.  Of few patches, all large, each pair gets
+twice as many.
+
+A small share, as through a distant door, is often missed by all of the first rays.  If that pair is taken as hidden, the
+others must make up for it: of the later groups only those count whose rays disagree too.  Then the mean over many pairs
+is right, whichever group had come first: a group that agrees would have ended the search, and one that does not would
+have been averaged with all that do not.
 """
 
 from __future__ import annotations
@@ -10,34 +16,27 @@ from __future__ import annotations
 import os
 import threading
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.radiosity.bodies import ASK, GAP, HIDDEN, bodies_of, judge
 from glsim.radiosity.kernels import jit
 from glsim.radiosity.patches import Patches
-from glsim.radiosity.scene import Scene, area_of, normal_of
+from glsim.radiosity.scene import Scene
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 FIRST, MORE = 16, 48  # rays of a pair
 FEW = 1000  # patches, of which each pair gets twice as many
-POINT_RAYS = 8  # from a vertex to a patch, before MORE
+POINT_RAYS = 12  # from a vertex to a patch, before MORE
 FEW_RAYS = 2  # from a vertex to a patch that sends little
 CHUNK = 1 << 12  # pairs at a time, in each thread
-GAP = 1e-5  # of the scene's size, left out at both ends of a ray, so that it does not meet the patches themselves
 
 # Fractional parts of k times these are evenly spread over the four-dimensional cube (Roberts 2018).
 _ROOT = 1.1673039782614187  # x^5 = x + 1
 TABLE = np.outer(np.arange(2 * (FIRST + MORE)), [_ROOT**-k for k in range(1, 5)]) % 1.0
-
-
-@jit
-def _off(squared: float, gap: float) -> float:
-    """How much of a ray is left out at either end."""
-    return float(min(gap / np.sqrt(squared), 0.5)) if squared > 0.0 else 0.5
 
 
 @jit
@@ -47,7 +46,8 @@ def _rays(
 ) -> None:  # fmt: skip
     """Rays first .. first + count of each pair: origins, ways (count per pair, 3) float32, and weights.
 
-    table: where each ray begins and ends, (rays, 4) in [0, 1), shifted for each pair.
+    table: where each ray begins and ends, (rays, 4) in [0, 1), shifted for each pair; gap: both ends are so far in front
+    of the patches, which the ray so does not meet.
     """
     e, shift = np.empty((2, 4, 3)), np.empty(4)
     for row in range(len(pairs)):
@@ -84,13 +84,12 @@ def _rays(
             squared = wx * wx + wy * wy + wz * wz
             c_1, c_2 = wx * mx + wy * my + wz * mz, -(wx * nx + wy * ny + wz * nz)
             at = row * count + s
-            off = _off(squared, gap)
-            origins[at, 0] = ax + px + off * wx
-            origins[at, 1] = ay + py + off * wy
-            origins[at, 2] = az + pz + off * wz
-            ways[at, 0] = (1.0 - 2.0 * off) * wx
-            ways[at, 1] = (1.0 - 2.0 * off) * wy
-            ways[at, 2] = (1.0 - 2.0 * off) * wz
+            origins[at, 0] = ax + px + gap * mx
+            origins[at, 1] = ay + py + gap * my
+            origins[at, 2] = az + pz + gap * mz
+            ways[at, 0] = wx + gap * (nx - mx)
+            ways[at, 1] = wy + gap * (ny - my)
+            ways[at, 2] = wz + gap * (nz - mz)
             density = (o_0 + u * o_u + v * o_v) * (t_0 + x * t_x + y * t_y)
             weights[at] = density * c_1 * c_2 / (squared * squared) if c_1 > 0.0 and c_2 > 0.0 else 0.0
 
@@ -137,11 +136,9 @@ def _point_rays(
                 squared += way * way
                 c_1 += way * normals[v, k]
                 c_2 -= way * facing[j, k]
-            off = _off(squared, gap)
             for k in range(3):
-                way = q[k] - points[v, k]
-                origins[at, k] = points[v, k] + off * way
-                ways[at, k] = (1.0 - 2.0 * off) * way
+                origins[at, k] = points[v, k] + gap * normals[v, k]
+                ways[at, k] = q[k] - points[v, k] + gap * (facing[j, k] - normals[v, k])
             density = t_0 + x * t_x + y * t_y
             weights[at] = density * max(c_1, 0.0) * max(c_2, 0.0) / (squared * squared) if squared > 0.0 else 0.0
 
@@ -162,162 +159,19 @@ def _point(ring: Any, count: int, u: float, v: float, out: Any) -> None:
 
 
 @jit
-def _add(weights: Any, hit: Any, count: int, seen: Any, total: Any) -> None:
+def _add(weights: Any, hit: Any, count: int, group: int, decided: bool, seen: Any, total: Any) -> None:
+    """Adds the weights of ``count`` rays for each pair, and of those that nothing is hit by; with ``decided`` only of
+    those groups of ``group`` rays that disagree."""
     for row in range(len(seen)):
-        for s in range(count):
-            w = weights[row * count + s]
-            total[row] += w
-            if hit[row * count + s] < 0:
-                seen[row] += w
-
-
-SEEN, ASK, HIDDEN = 1, 2, 0  # what the bodies alone tell of a pair
-
-
-@jit
-def judge(one: Any, two: Any, rows: Any, columns: Any, starts: Any, solid: Any, out: Any) -> None:
-    """What convex bodies tell of pairs, by the hull of both ends: SEEN if it misses all bodies, HIDDEN if all of it
-    goes through one that is ``solid`` (k,), else ASK.
-
-    one, two: (n, m, 2), see Bodies.reach, of the ends ``rows`` and ``columns``; starts: (k + 1,), body b has the planes
-    starts[b] to starts[b + 1].  At t between the ends the least distance from a plane is (1 - t) a + t b exactly.
-    """
-    for row in range(len(rows)):
-        i, j = rows[row], columns[row]
-        out[row] = SEEN
-        for b in range(len(solid)):
-            enter = enter_whole = 0.0
-            leave = leave_whole = 1.0
-            for m in range(starts[b], starts[b + 1]):
-                enter, leave = _behind(one[i, m, 0], two[j, m, 0], enter, leave)
-                if leave - enter < TOUCH:
-                    break
-                enter_whole, leave_whole = _behind(one[i, m, 1], two[j, m, 1], enter_whole, leave_whole)
-            if leave - enter >= TOUCH:
-                between = enter_whole > TOUCH and leave_whole < 1.0 - TOUCH  # and not on the body itself
-                if solid[b] and between and leave_whole - enter_whole >= TOUCH:
-                    out[row] = HIDDEN
-                    break
-                out[row] = ASK
-
-
-@jit
-def _behind(a: float, b: float, enter: float, leave: float) -> tuple[float, float]:
-    """Where between enter and leave (1 - t) a + t b is at most 0."""
-    if a > 0.0:
-        return (max(enter, a / (a - b)), leave) if b < 0.0 else (1.0, 0.0)
-    return (enter, min(leave, a / (a - b))) if b > 0.0 else (enter, leave)
-
-
-@dataclass(frozen=True)
-class Bodies:
-    """Convex bodies outside of which nothing can stand in between.
-
-    planes: (m, 4), a body is where n.p <= d for all of its (n, d); starts: (k + 1,), where each body's begin; solid:
-    (k,), whether nothing goes through without meeting a polygon.
-    """
-
-    planes: Float
-    starts: Int
-    solid: NDArray[np.bool_]
-
-    def reach(self, corners: Float) -> NDArray[np.float32]:
-        """How far in front of each plane what has these corners (n, c, 3) is: least and most, (n, m, 2)."""
-        result = np.empty((len(corners), len(self.planes), 2), np.float32)
-        for first in range(0, len(corners), CHUNK):
-            away = corners[first : first + CHUNK] @ self.planes[:, :3].T - self.planes[:, 3]
-            result[first : first + CHUNK, :, 0] = away.min(axis=1)
-            result[first : first + CHUNK, :, 1] = away.max(axis=1)
-        return result
-
-
-MOST_BODIES, MOST_PLANES = 48, 24  # more are not worth asking
-TOUCH = 1e-6  # of the way between two ends: what is shorter only touches
-THIN = 1e-4  # of the scene's size: thinner bodies are taken a little thicker
-
-
-def bodies_of(scene: Scene) -> Bodies | None:
-    """The bodies of a scene; None if they are too many to be of use.
-
-    Polygons that have the whole scene on their front side are its shell, which blocks nothing.  The others form bodies
-    by common corners.  A convex one is the space behind its own polygons; of another the box around it is taken.
-    """
-    if len(scene.rings) > 4000:
-        return None
-    points = np.concatenate(scene.rings)
-    tolerance = THIN * scene.size
-    inner = [ring for ring in scene.rings if ((points - ring[0]) @ normal_of(ring)).min() < -tolerance]
-    groups = _connected(inner, tolerance)
-    if len(groups) > MOST_BODIES:
-        return None
-    planes, starts, solid = [np.zeros((0, 4))], [0], []
-    for rings in groups:
-        found, own = _box_planes(rings), _own_planes(rings, tolerance)
-        convex = own is not None and len(found) + len(own) <= MOST_PLANES
-        if own is not None and convex:
-            found = np.concatenate([found, own])
-        within = np.concatenate(rings) @ found[:, :3].T
-        if float((found[:, 3] - within.min(axis=0)).min()) < tolerance:
-            found = found + np.array([0.0, 0.0, 0.0, tolerance / 10.0])
-        planes.append(found)
-        starts.append(starts[-1] + len(found))
-        solid.append(convex and _closed_but_for_a_plane(rings, tolerance))
-    return Bodies(np.concatenate(planes), np.array(starts), np.array(solid, np.bool_))
-
-
-def _connected(rings: list[Float], tolerance: float) -> list[list[Float]]:
-    """Polygons that have corners in common."""
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
-    if not rings:
-        return []
-    corners = np.round(np.concatenate(rings) / tolerance).astype(np.int64)
-    _, corner = np.unique(corners, axis=0, return_inverse=True)
-    owner = np.repeat(np.arange(len(rings)), [len(ring) for ring in rings])
-    n = len(rings)
-    graph = coo_matrix((np.ones(len(owner)), (owner, n + corner.ravel())), shape=(n + len(corners),) * 2)
-    _, label = connected_components(graph, directed=False)
-    groups: dict[int, list[Float]] = {}
-    for ring, number in zip(rings, label[:n].tolist(), strict=True):
-        groups.setdefault(number, []).append(ring)
-    return list(groups.values())
-
-
-def _box_planes(rings: list[Float]) -> Float:
-    """The box along the largest polygon's normal and longest edge: six planes (n, d)."""
-    largest = max(rings, key=area_of)
-    edges = np.roll(largest, -1, axis=0) - largest
-    x = edges[np.argmax(np.linalg.norm(edges, axis=1))]
-    x = x / np.linalg.norm(x)
-    z = normal_of(largest)
-    axes = np.stack([x, np.cross(z, x), z])
-    inside = np.concatenate(rings) @ axes.T
-    high, low = np.c_[axes, inside.max(axis=0)], np.c_[-axes, -inside.min(axis=0)]
-    return np.concatenate([high, low])
-
-
-def _own_planes(rings: list[Float], tolerance: float) -> Float | None:
-    """The planes of the polygons, if all corners are behind all of them."""
-    normals = np.array([normal_of(ring) for ring in rings])
-    planes = np.c_[normals, np.einsum("nk,nk->n", normals, np.array([ring[0] for ring in rings]))]
-    planes = planes[np.unique(np.round(planes / (1.0, 1.0, 1.0, 100 * tolerance), 4), axis=0, return_index=True)[1]]
-    beyond = np.concatenate(rings) @ planes[:, :3].T - planes[:, 3]
-    return planes if beyond.max() < tolerance else None
-
-
-def _closed_but_for_a_plane(rings: list[Float], tolerance: float) -> bool:
-    """Whether a convex body has no hole, or one flat hole: then whatever goes through it meets a polygon."""
-    ends: dict[frozenset[tuple[float, ...]], list[Float]] = {}
-    for ring in rings:
-        for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-            key = frozenset(tuple(np.round(p / tolerance).tolist()) for p in (a, b))
-            ends.setdefault(key, []).append(np.array([a, b]))
-    rim = [edges[0] for edges in ends.values() if len(edges) == 1]
-    if not rim:
-        return True
-    points = np.concatenate(rim)
-    return bool(np.linalg.svd(points - points.mean(axis=0), compute_uv=False)[-1] < tolerance * len(points))
+        for first in range(row * count, (row + 1) * count, group):
+            free = whole = 0.0
+            for ray in range(first, first + group):
+                whole += weights[ray]
+                if hit[ray] < 0:
+                    free += weights[ray]
+            if not decided or 0.0 < free < whole:
+                seen[row] += free
+                total[row] += whole
 
 
 class Visibility:
@@ -395,7 +249,7 @@ class Visibility:
 
         def judged(k: int) -> None:
             part = slice(k, k + CHUNK)
-            judge(one, two, rows[part], columns[part], bodies.starts, bodies.solid, verdict[part])
+            judge(one, two, rows[part], columns[part], bodies.starts, bodies.solid, bodies.exact, verdict[part])
 
         list(self.pool.map(judged, range(0, len(rows), CHUNK)))
         return (verdict != HIDDEN).astype(np.float64), np.flatnonzero(verdict == ASK)
@@ -415,12 +269,12 @@ class Visibility:
         def one(chunk: Int, count: int, more: int) -> Float:
             seen, total = np.zeros(len(chunk)), np.zeros(len(chunk))
             arrays = (points, ways, rows[chunk], rings, patches.counts, patches.normal, columns[chunk])
-            self._send(arrays, 0, count, seen, total)
+            self._send(arrays, 0, count, count, seen, total)
             mixed = np.flatnonzero((seen > 0.0) & (seen < total))
             if more and len(mixed):
                 arrays = (*arrays[:2], rows[chunk[mixed]], *arrays[3:6], columns[chunk[mixed]])
                 seen_more, total_more = np.zeros(len(mixed)), np.zeros(len(mixed))
-                self._send(arrays, count, more, seen_more, total_more)
+                self._send(arrays, count, more, count, seen_more, total_more)
                 seen[mixed] += seen_more
                 total[mixed] += total_more
             return np.divide(seen, total, out=np.zeros_like(seen), where=total > 0.0)
@@ -429,32 +283,34 @@ class Visibility:
             result[chunk] = values
         return result
 
-    def _send(self, arrays: Any, first: int, count: int, seen: Float, total: Float) -> None:
+    def _send(self, arrays: Any, first: int, count: int, group: int, seen: Float, total: Float) -> None:
         origins, ways, weights = self._room(len(seen) * count)
         points, normals, rows, rings, counts, facing, columns = arrays
         _point_rays(
             points, normals, rows, rings, counts, facing, columns, self.gap, first, count, origins, ways, weights
         )
-        _add(weights, self.blocked(origins, ways), count, seen, total)
+        _add(weights, self.blocked(origins, ways), count, group, first > 0, seen, total)
 
     def _chunk(self, rings: Float, counts: Int, normals: Float, pairs: Int) -> Float:
         seen, total = np.zeros(len(pairs)), np.zeros(len(pairs))
         times = 2 if len(rings) < FEW else 1
-        self._shoot(rings, counts, normals, pairs, 0, times * FIRST, seen, total)
+        group = times * FIRST
+        self._shoot(rings, counts, normals, pairs, 0, group, group, seen, total)
         mixed = np.flatnonzero((seen > 0.0) & (seen < total))
         if len(mixed):
             more, of = np.zeros(len(mixed)), np.zeros(len(mixed))
-            self._shoot(rings, counts, normals, pairs[mixed], times * FIRST, times * MORE, more, of)
+            self._shoot(rings, counts, normals, pairs[mixed], group, times * MORE, group, more, of)
             seen[mixed] += more
             total[mixed] += of
         return np.divide(seen, total, out=np.zeros_like(seen), where=total > 0.0)
 
     def _shoot(
-        self, rings: Float, counts: Int, normals: Float, pairs: Int, first: int, count: int, seen: Float, total: Float
-    ) -> None:
+        self, rings: Float, counts: Int, normals: Float, pairs: Int, first: int, count: int, group: int, seen: Float,
+        total: Float,
+    ) -> None:  # fmt: skip
         origins, ways, weights = self._room(len(pairs) * count)
         _rays(rings, counts, normals, pairs, TABLE, self.gap, first, count, origins, ways, weights)
-        _add(weights, self.blocked(origins, ways), count, seen, total)
+        _add(weights, self.blocked(origins, ways), count, group, first > 0, seen, total)
 
     def _room(self, size: int) -> tuple[NDArray[np.float32], NDArray[np.float32], Float]:
         """Arrays for so many rays: each thread's own, again and again."""

@@ -25,6 +25,9 @@ Uint32 = NDArray[np.uint32]
 # the call it saves.
 MERGE_BELOW = 4096
 
+# Rows of transforms and materials that one program has room for; a device may have room for less.
+MOST_OBJECTS = 256
+
 PLAIN = {1: GL_POINTS, 2: GL_LINES, 3: GL_TRIANGLES}
 
 
@@ -70,6 +73,10 @@ class Plan:
     indices: Uint32 = field(default_factory=lambda: np.empty(0, np.uint32))
     instances: bool = False
 
+    def several(self, batch: Batch) -> bool:
+        """Whether the vertices of a batch say which object they belong to."""
+        return batch.objects > 1 and (self.instances or len(self.rows) > 0)
+
 
 def plans(draws: Sequence[Draw], limit: int) -> tuple[list[Object], list[Plan]]:
     """All objects that ``draws`` use, and how to draw them; no batch has more than ``limit`` objects."""
@@ -102,8 +109,9 @@ def _instances(draws: list[Draw], limit: int, objects: list[Object]) -> Plan:
     batch: Batch | None = None
     for draw in draws:
         if batch is None or batch.objects >= limit or not _alike(batch.draws[0], draw):
-            batch = Batch(draw.state, corners(draw.mode), draw.block, len(objects), 0, [draw], 0, len(indices))
+            batch = Batch(draw.state, corners(draw.mode), draw.block, len(objects), 0, [], 0, len(indices))
             result.batches.append(batch)
+        batch.draws.append(draw)
         objects.append(Object(draw.matrices, draw.material, draw.color))
         batch.objects += 1
     return result
@@ -179,6 +187,7 @@ def separate(draw: Draw, limit: int) -> list[Draw]:
     for first in range(0, len(chosen), step):
         count = min(step, len(chosen) - first)
         parts.append(Draw(PLAIN[size], first, count, None, draw.matrices, used[first], draw.state, vertices))
+        parts[-1].call = draw.call
     return parts
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import os
-import threading
 import weakref
 from typing import TYPE_CHECKING, Any
 
@@ -24,12 +23,14 @@ from glsim.machine.constants import (
     GL_STENCIL_INDEX,
     GL_UNSIGNED_BYTE,
 )
-from glsim.machine.current import current_machine, make_current
+from glsim.machine.current import Place, current_machine, here, make_current
 from glsim.machine.frame import Packet
+from glsim.machine.interrupts import uninterrupted
 from glsim.machine.machine import Machine
-from glsim.render.device import open_loader
+from glsim.render.device import forked, open_loader, refuse_fork
 from glsim.render.draw import Renderer
 from glsim.render.egl import EGLLoader
+from glsim.render.osmesa import OSMesaLoader
 from glsim.render.raw import RawGL
 
 if TYPE_CHECKING:
@@ -46,23 +47,54 @@ READABLE: dict[str, tuple[int, int]] = {
 }
 
 
-# contexts that nobody holds any more and that are still to be released: thread, loader, moderngl's context
-_abandoned: list[tuple[int, Any, Any]] = []
+class _Opened:
+    """A context of the driver, and the thread that it belongs to."""
+
+    def __init__(self, backend: str) -> None:
+        self.backend, self.loader = open_loader(backend)
+        try:
+            self.ctx = moderngl.create_context(context=self.loader, require=330)
+        except BaseException:
+            self.loader.release()
+            raise
+        self.take()
+
+    def take(self) -> None:
+        """Let it belong to the calling thread, and be free when that ends."""
+        self.place: weakref.ref[Place] = weakref.ref(here())
+        self.farewell = weakref.finalize(here(), self._let_go, self.loader)
+        self.farewell.atexit = False
+
+    def is_free(self) -> bool:
+        """Whether it is of this thread, or of one that has ended."""
+        return self.place() in (None, here())
+
+    @staticmethod
+    def _let_go(loader: Any) -> None:
+        if isinstance(loader, (EGLLoader, OSMesaLoader)) and not forked():
+            loader.release_current()
+
+    def detach(self) -> None:
+        self._let_go(self.loader)
+
+    def release(self) -> None:
+        self.farewell.detach()
+        with uninterrupted():
+            self.loader.__enter__()
+            self.ctx.release()  # releases the loader too
+            if isinstance(self.loader, EGLLoader):
+                self.loader.__exit__()
 
 
-def _release(loader: Any, ctx: moderngl.Context) -> None:
-    loader.__enter__()
-    ctx.release()  # releases the loader too
-    if isinstance(loader, EGLLoader):
-        loader.__exit__()
+_abandoned: list[_Opened] = []  # those that nobody holds any more and that are still to be released
 
 
 def release_abandoned() -> None:
-    """Release contexts of this thread that nobody holds; not while one is drawing."""
-    for entry in [entry for entry in _abandoned if entry[0] == threading.get_ident()]:
-        _abandoned.remove(entry)
+    """Release the contexts that nobody holds, of this thread and of those that have ended; not while one is drawing."""
+    for opened in [opened for opened in _abandoned if opened.is_free()]:
         with contextlib.suppress(Exception):
-            _release(*entry[1:])
+            _abandoned.remove(opened)  # ValueError: another thread was faster
+            opened.release()
 
 
 def _checked_size(call: str, width: int, height: int) -> tuple[int, int]:
@@ -83,22 +115,24 @@ class Offscreen:
     def __init__(self, width: int, height: int, samples: int = 0, backend: str = "auto") -> None:
         self._released = False
         self.double_buffered = False  # what glGet(GL_DOUBLEBUFFER) says
+        self.depth_bits, self.stencil_bits = 24, 8  # 0 if the program is to find none
+        refuse_fork()
         release_abandoned()
         self.width, self.height = _checked_size("glsim.offscreen", width, height)
-        self.backend, self._loader = open_loader(backend)
-        self.ctx = moderngl.create_context(context=self._loader, require=330)
-        self.samples = self._samples(samples)
-        self._raw = RawGL(self._loader)
-        self._depths: list[ctypes.c_uint] = []  # names of the renderbuffers of depth and stencil
-        self._target = self._framebuffer(self.samples)
-        self._resolved = self._framebuffer(0) if self.samples else self._target
-        self._renderer = Renderer(self.ctx, self._raw, (self.width, self.height))
-        self._previous: list[Any] = []
-        self._thread = threading.get_ident()
-        self.machine = Machine(self)
         before = current_machine()
         self._before = weakref.ref(before) if isinstance(before, Machine) else None
-        self.make_current()
+        self._previous: list[Any] = []
+        with uninterrupted():
+            self._opened = _Opened(backend)
+            self.backend, self.ctx = self._opened.backend, self._opened.ctx
+            self.samples = self._samples(samples)
+            self._raw = RawGL(self._opened.loader)
+            self._depths: list[ctypes.c_uint] = []  # names of the renderbuffers of depth and stencil
+            self._target = self._framebuffer(self.samples)
+            self._resolved = self._framebuffer(0) if self.samples else self._target
+            self._renderer = Renderer(self.ctx, self._raw, (self.width, self.height))
+            self.machine = Machine(self)
+            self.make_current()
 
     def _samples(self, wanted: int) -> int:
         most = self.ctx.max_samples
@@ -140,7 +174,8 @@ class Offscreen:
     # ------------------------------------------------------------ current context
 
     def make_current(self) -> Offscreen:
-        """Send the gl commands here from now on."""
+        """Send this thread's gl commands here from now on."""
+        self.check()
         make_current(self.machine)
         return self
 
@@ -159,37 +194,46 @@ class Offscreen:
         """Give the context's memory back now; it cannot be used afterwards.  It goes by itself when nobody holds it."""
         if self._released:
             return
+        self.check()
         self._released = True
         if current_machine() is self.machine:
             make_current(None)
-        _release(self._loader, self.ctx)
+        self._opened.release()
 
     def __del__(self) -> None:
         # Python may collect this while another context draws, which must stay current: release it a little later.
-        if hasattr(self, "machine") and not self._released:
-            _abandoned.append((self._thread, self._loader, self.ctx))
+        if hasattr(self, "_opened") and not self._released:
+            _abandoned.append(self._opened)
 
-    def _check(self) -> None:
+    def check(self) -> None:
+        """Raise RuntimeError unless it can be drawn with in this thread: the one that made it, or any when that has
+        ended."""
+        refuse_fork()
         release_abandoned()
         if self._released:
             raise RuntimeError("this context was released: make another one with glsim.offscreen")
-        if threading.get_ident() != self._thread:
-            raise RuntimeError("a context can only be drawn with in the thread that made it")
+        if not self._opened.is_free():
+            raise RuntimeError(
+                "a context can only be drawn with in the thread that made it: each thread opens its own, with"
+                " glsim.offscreen"
+            )
+        if self._opened.place() is None:
+            self._opened.take()
 
     # ------------------------------------------------------------ what the machine asks of its device
 
     def execute(self, packets: list[Packet]) -> None:
-        self._check()
-        with self.ctx:
+        with uninterrupted(), self.ctx:
             self._target.use()
             self._renderer.execute(packets, self._reread)
 
     def detach(self) -> None:
         """Let another library's context be current in this thread, until something is drawn here again."""
-        self._loader.release_current()
+        self._opened.detach()
 
     def finish(self) -> None:
-        with self.ctx:
+        self.check()
+        with uninterrupted(), self.ctx:
             self._raw.glFinish()
         self._renderer.busy = False
 
@@ -198,8 +242,8 @@ class Offscreen:
 
         what: "color" (height, width, 4) uint8, "depth" (height, width) float32 or "stencil" (height, width) uint8.
         """
-        self._check()
-        with self.ctx:
+        self.check()
+        with uninterrupted(), self.ctx:
             pixels = self._read(x, y, width, height, what)
         self._renderer.busy = False
         return pixels
@@ -211,7 +255,18 @@ class Offscreen:
         self._resolve()
         self._resolved.use()
         self._raw.glPixelStorei(GL_PACK_ALIGNMENT, 1)
-        self._raw.glReadPixels(x, y, width, height, format, kind, pixels.ctypes.data)
+        left, bottom = max(x, 0), max(y, 0)  # drivers add x and width in 32 bits, and may crash where that is too much
+        right, top = min(x + width, self.width), min(y + height, self.height)
+        if left >= right or bottom >= top:
+            return pixels
+        part = (
+            pixels
+            if (right - left, top - bottom) == (width, height)
+            else np.zeros_like(pixels, shape=(top - bottom, right - left, *pixels.shape[2:]))
+        )
+        self._raw.glReadPixels(left, bottom, right - left, top - bottom, format, kind, part.ctypes.data)
+        if part is not pixels:
+            pixels[bottom - y : top - y, left - x : right - x] = part
         return pixels
 
     def _reread(self, x: int, y: int, width: int, height: int, what: str) -> NDArray[Any]:
@@ -239,6 +294,8 @@ class Offscreen:
             "version": info["GL_VERSION"],
             "samples": self.samples,
             "double": self.double_buffered,
+            "depth_bits": self.depth_bits,
+            "stencil_bits": self.stencil_bits,
         }
 
     # ------------------------------------------------------------ pictures
@@ -266,10 +323,10 @@ class Offscreen:
 
     def resize(self, width: int, height: int) -> None:
         """Another size; the picture is black afterwards, all state stays."""
-        self._check()
+        self.check()
         width, height = _checked_size("resize", width, height)
         self.machine.flush()
-        with self.ctx:
+        with uninterrupted(), self.ctx:
             for depth in self._depths:  # moderngl's objects go when they are replaced
                 self._raw.glDeleteRenderbuffers(1, ctypes.byref(depth))
             self._depths.clear()
@@ -280,8 +337,9 @@ class Offscreen:
 
     def reset(self) -> None:
         """Everything as if just made: initial state, black picture."""
+        self.check()
         self.machine.reset()
-        with self.ctx:
+        with uninterrupted(), self.ctx:
             self._renderer.reset()
             for framebuffer in {self._target, self._resolved}:
                 self._clear(framebuffer)
@@ -291,7 +349,10 @@ class Offscreen:
 
 
 def offscreen(width: int, height: int, *, samples: int = 0, backend: str = "auto") -> Offscreen:
-    """Open a picture of ``width`` x ``height`` pixels to draw into, and send the gl commands to it.
+    """Open a picture of ``width`` x ``height`` pixels to draw into, and send this thread's gl commands to it.
+
+    As in OpenGL each thread has its own current context.  A context is drawn with in the thread that made it; when that
+    has ended, in the first other one that uses it.  A process that was forked afterwards cannot draw: spawn it.
 
     samples: multisampling, 0 for none.  backend: "auto", "egl", "egl:N" (device N), "osmesa", "x11" or "native";
     "auto" honours the environment variable GLSIM_BACKEND and then tries what the platform has.

@@ -11,6 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from glsim.machine.current import forget
+
 LIBRARIES = "apt install libegl1 libgl1 libgl1-mesa-dri"
 FIXES = {
     "egl": LIBRARIES,
@@ -18,6 +20,13 @@ FIXES = {
     "x11": "set DISPLAY, or start the program with xvfb-run -a",
     "native": "install the graphics driver of this machine",
 }
+
+
+FORKED = (
+    "this process was forked from one that had opened a context, and the driver's threads stayed behind there: start"
+    ' processes with multiprocessing.get_context("spawn"), or fork before the first glsim.offscreen'
+)
+_opened_by = 0  # the process that opened contexts
 
 
 @dataclass(frozen=True)
@@ -84,8 +93,32 @@ def order(backend: str = "auto") -> list[tuple[str, int | None]]:
     return [(name, int(index) if index else None)]
 
 
+def forked() -> bool:
+    """Whether contexts were opened in the process from which this one was forked."""
+    return _opened_by not in (0, os.getpid())
+
+
+def refuse_fork() -> None:
+    """Raise RuntimeError in a process that was forked after a context had been opened: drawing would hang there.
+
+    A new context would hang too: what the threads work for, Mesa's screens and their locks, is one for the process.
+    """
+    if forked():
+        raise RuntimeError(FORKED)
+
+
+def opening() -> None:
+    """Note that this process opens a context; after a fork the gl commands say what is wrong."""
+    global _opened_by
+    refuse_fork()
+    if not _opened_by and hasattr(os, "register_at_fork"):
+        os.register_at_fork(after_in_child=lambda: forget(FORKED))
+    _opened_by = os.getpid()
+
+
 def open_loader(backend: str = "auto") -> tuple[str, Any]:
     """The first way that opens: (name, loader).  Raises NoDeviceError that tells about every attempt."""
+    opening()
     attempts = []
     for name, device in order(backend):
         try:

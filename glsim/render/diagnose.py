@@ -18,7 +18,7 @@ def diagnose() -> dict[str, Any]:
 
     "works" is True if a default ``glsim.offscreen`` would open.
     """
-    from glsim import __version__
+    from glsim.version import __version__
 
     backends = [_try(name) for name in (*[name for name, _ in order("auto")], *_others())]
     return {

@@ -50,11 +50,11 @@ from glsim.machine.state import (
     Snapshot,
     TextureUnit,
 )
-from glsim.render.batch import Batch, Object, Plan, plans
-from glsim.render.lines import line_width, margin, widened
+from glsim.render.batch import MOST_OBJECTS, Batch, Object, Plan, plans
+from glsim.render.lines import line_width, margin
 from glsim.render.outline import prepare
 from glsim.render.pixels import Fragments, Reader, as_fragments, merged_bitmaps, plain_state
-from glsim.render.programs import BINDINGS, PIXELS, ProgramKey, build, program_key
+from glsim.render.programs import BINDINGS, ProgramKey, build, draw_key
 from glsim.render.raw import RawGL
 from glsim.render.textures import Textures
 
@@ -139,7 +139,7 @@ class Renderer:
     def __init__(self, ctx: moderngl.Context, raw: RawGL, size: tuple[int, int]) -> None:
         self.ctx, self.raw = ctx, raw
         ctx.gc_mode = "context_gc"  # buffers of lists that are gone are released when the context is current
-        self.limit = min(ctx.info["GL_MAX_UNIFORM_BLOCK_SIZE"], 65536) // ROW_SIZE
+        self.limit = min(ctx.info["GL_MAX_UNIFORM_BLOCK_SIZE"] // ROW_SIZE, MOST_OBJECTS)
         self.programs: dict[ProgramKey, moderngl.Program] = {}
         self.inputs: dict[ProgramKey, list[str]] = {}  # those of INPUTS that the program reads
         self.stream = Source(ctx)
@@ -181,7 +181,7 @@ class Renderer:
             if kind is Draw:
                 self._draw(run)
             elif kind is Pixels:
-                for pixels in merged_bitmaps(run):
+                for pixels in merged_bitmaps(run, self.size):
                     self._draw_pixels(pixels, read)
             elif kind is Accum:
                 for packet in run:
@@ -290,20 +290,9 @@ class Renderer:
             self.busy = True
 
     def _draw_batch(self, batch: Batch, part: Plan, source: Source, pixels: Fragments | None) -> None:
-        state, columns = batch.state, batch.vertices.columns
-        wide = "line_corner" in columns and widened(state)
-        many = batch.objects > 1 and (part.instances or len(part.rows) > 0)
-        key = program_key(state, batch.corners)._replace(
-            wide_lines=wide,
-            has_w="w" in columns,
-            depth_offset="depth_offset" in columns,
-            smooth_lines=wide and state.line.smooth,
-            lit_elsewhere="lit_position" in columns,
-            pixels=PIXELS[pixels.kind] if pixels else 0,
-            object_color=batch.draws[0].color is not None,
-            probe=self.probing is not None,
-            objects=self.limit if many else 1,
-        )
+        state = batch.state
+        objects = self.limit if part.several(batch) else 1
+        key = draw_key(batch.draws[0], objects, pixels.kind if pixels else "", self.probing is not None)
         room = margin(state, batch.corners)
         self._apply(state, batch.corners, room)
         self._upload_lights(state.lighting)
@@ -320,7 +309,7 @@ class Renderer:
         program = self.program(key)
         source.fill(batch.vertices, self.inputs[key], self.busy)
         array = source.vertex_array(key, program, "/i" if part.instances else "/v")
-        mode = moderngl.TRIANGLES if wide else PRIMITIVES[batch.corners]
+        mode = moderngl.TRIANGLES if key.wide_lines else PRIMITIVES[batch.corners]
         array.render(mode, vertices=batch.count, first=batch.start, instances=batch.objects if part.instances else 1)
 
     # ------------------------------------------------------------ programs and buffers
@@ -398,7 +387,9 @@ class Renderer:
         if before is None or (old.viewport, *before[1:]) != (state.viewport, corners, room):  # type: ignore[union-attr]
             x, y, width, height = state.viewport[:4]
             raw.glViewport(x - room, y - room, width + 2 * room, height + 2 * room)
-            self._switch(DEPTH_CLAMP, corners == 2 and room > 0)  # shaders/line.glsl clips wide lines, with all their width
+            self._switch(
+                DEPTH_CLAMP, corners == 2 and room > 0
+            )  # shaders/line.glsl clips wide lines, with all their width
             raw.glDepthRange(*state.viewport[4:])
         if before is None or (old.polygon, before[1]) != (state.polygon, corners):  # type: ignore[union-attr]
             polygon = state.polygon

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from glsim.machine.assembly import corners
 from glsim.machine.constants import GL_ALWAYS, GL_DEPTH_COMPONENT, GL_FLOAT, GL_PACK_ALIGNMENT, GL_SMOOTH
 from glsim.machine.frame import Clear, Draw, Packet, Pixels
+from glsim.machine.interrupts import uninterrupted
 from glsim.machine.state import ColorBuffer, Depth, Lighting, Scissor, Snapshot, Stencil
 from glsim.render.batch import PLAIN, assembled, separate
 from glsim.render.context import Offscreen
@@ -87,7 +88,7 @@ class Survey(NamedTuple):
 def _alone(draw: Draw, chosen: NDArray[np.uint32]) -> Draw:
     """Some vertices of a Draw, as plain primitives over vertices of their own."""
     materials = []
-    if draw.block.materials and draw.indices is None:
+    if draw.block.materials:
         materials = list(enumerate(draw.materials_at(chosen)))
     block = draw.block.take(chosen, materials)
     plain = Draw(PLAIN[corners(draw.mode)], 0, len(chosen), None, draw.matrices, draw.material, draw.state, block)
@@ -103,14 +104,14 @@ class Inspector:
     def __init__(self, screen: Offscreen) -> None:
         self.screen = screen
         self.renderer = screen._renderer
-        with screen.ctx:
+        with uninterrupted(), screen.ctx:
             self.target = screen._framebuffer(0, PROBES)
 
     # ------------------------------------------------------------ packets -> primitives
 
     def pieces(self, number: int, packet: Packet) -> list[Piece]:
         """The primitives of packet ``number`` in the order they are drawn."""
-        with self.screen.ctx:
+        with uninterrupted(), self.screen.ctx:
             return list(self._pieces(number, packet))
 
     def _pieces(self, number: int, packet: Packet) -> Iterator[Piece]:
@@ -142,7 +143,7 @@ class Inspector:
         always = Depth(True, GL_ALWAYS)
         buffers = ColorBuffer(dither=False)
         alone = state._replace(scissor=Scissor(True, x, y, 1, 1), depth=always, stencil=Stencil(), color_buffer=buffers)
-        with self.screen.ctx:
+        with uninterrupted(), self.screen.ctx:
             self.target.use()
             self.renderer.execute([Clear(0x4100, alone)], self.screen._reread)
             self.renderer.probe(1, _marked(one, alone), piece.pixels)
@@ -170,7 +171,7 @@ class Inspector:
     def draw(self, piece: Piece, primitive: int, x: int, y: int) -> None:
         """Draw one primitive on the screen itself, at this pixel alone."""
         one = piece.only(primitive).draw
-        with self.screen.ctx:
+        with uninterrupted(), self.screen.ctx:
             self.screen._target.use()
             self.renderer.fixed = None
             if piece.pixels is not None:
@@ -191,7 +192,7 @@ class Inspector:
                     self._mark(piece, len(pieces) + 1)
                     pieces.append(piece)
             self.screen.execute([packet])
-        with self.screen.ctx:
+        with uninterrupted(), self.screen.ctx:
             place, primitive = (self._whole(probe) for probe in (0, 1))
             depth = self._whole_depth()
         number: NDArray[np.int64] = np.rint(primitive[..., 0]).astype(np.int64) - 1
@@ -200,14 +201,14 @@ class Inspector:
         return Survey(pieces, number, numbers, primitive[..., 2] > 0.0, place[..., :3].astype(np.float64), depth)
 
     def _into_target(self, packet: Packet) -> None:
-        with self.screen.ctx:
+        with uninterrupted(), self.screen.ctx:
             self.target.use()
             self.renderer.execute([packet], self.screen._reread)
 
     def _mark(self, piece: Piece, number: int) -> None:
         state = piece.draw.state
         colors = state.color_buffer._replace(blend=False, logic_op_enabled=False, dither=False, mask=(True,) * 4)
-        with self.screen.ctx:
+        with uninterrupted(), self.screen.ctx:
             self.target.use()
             self.renderer.probe(number, _marked(piece, state._replace(color_buffer=colors)), piece.pixels)
 

@@ -55,8 +55,8 @@ def eye_and_clip(draw: Draw, chosen: NDArray[np.uint32]) -> tuple[NDArray[np.flo
     """Positions (n, 4) in eye space and in clip space."""
     evaluate(draw.matrices)
     modelview, projection = (matrix.get()[None] for matrix in draw.matrices[:2])
-    P = positions(draw.block, chosen).astype(np.float64)
-    return P @ modelview[0], np.asarray(P @ multiply(projection, modelview)[0].astype(np.float64))
+    places = positions(draw.block, chosen).astype(np.float64)
+    return places @ modelview[0], np.asarray(places @ multiply(projection, modelview)[0].astype(np.float64))
 
 
 def clip_positions(draw: Draw, chosen: NDArray[np.uint32]) -> NDArray[np.float64]:
@@ -81,13 +81,13 @@ def lines(draws: list[Draw]) -> list[Draw]:
     vertices = block.take(chosen)
     for draw, pairs in zip(draws, ends, strict=True):
         count = pairs.size * (2 if wide else 1)
-        if block.materials and draw.indices is None:
+        if block.materials:
             used = draw.materials_at(chosen[first : first + count])
             materials += [(first + k, material) for k, material in enumerate(used)]
         part = Draw(GL_LINES, first, count, None, draw.matrices, draw.material, state, vertices)
         if wide:
             part.indices = (np.arange(len(pairs), dtype=np.uint32)[:, None] * 4 + TRIANGLES).ravel()
-        part.color = draw.color
+        part.color, part.call = draw.color, draw.call
         result.append(part)
         first += count
     others = np.concatenate(ends)[:, 1 - order].ravel()

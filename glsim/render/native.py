@@ -18,7 +18,7 @@ from glsim.machine.constants import GL_2_BYTES, GL_3_BYTES, GL_4_BYTES, GL_BITMA
 from glsim.machine.frame import Call
 from glsim.machine.pixels import PACKED
 from glsim.machine.types import DTYPES, SUFFIXES, raw_bytes
-from glsim.render.device import one_line
+from glsim.render.device import one_line, opening
 from glsim.render.egl import EGLLoader
 from glsim.render.osmesa import OSMesaLoader
 
@@ -48,6 +48,7 @@ class Native:
 
     def __init__(self, width: int, height: int, backends: Sequence[str] = ("egl", "osmesa")) -> None:
         self.width, self.height = width, height
+        opening()
         said = []
         for name in backends:
             try:
@@ -178,13 +179,15 @@ def c_calls(name: str, arguments: Arguments) -> Iterator[tuple[str, Arguments]]:
     elif name.startswith("glPixelMap") and given.get("values") is None:
         given.update(size=np.size(given["size"]), values=given["size"])
     elif name.startswith("glDelete") and "n" in given:  # glDeleteTextures(names)
-        names = [key for key in given if key != "n"][0]
+        names = next(key for key in given if key != "n")
         if given[names] is None:
             given.update({"n": np.size(given["n"]), names: given["n"]})
     elif name == "glCallLists" and given.get("type") is None:
         lists = raw_bytes(given["n"])
         lists = np.asarray(given["n"]) if lists is None else lists
         given.update(n=lists.size, type=GL_UNSIGNED_INT, lists=lists)
+    elif name == "glPolygonStipple" and np.size(given["mask"]) == 1024:  # ones and zeros
+        given.update(mask=np.packbits(np.reshape(given["mask"], (32, 32)) != 0, axis=1))
     elif name == "glBufferData" and given.get("usage") is None:
         given.update(size=None, data=given["size"], usage=given["data"])
     elif name == "glBufferSubData" and given.get("data") is None:
@@ -231,7 +234,7 @@ def _element(command: Command, parameter: str, kind: Any) -> Any:
         return None
     if kind in PACKED:
         return PACKED[kind][0]
-    return DTYPES.get(SUFFIXES[command.type] if command.type else kind, np.float32)  # type: ignore[call-overload]
+    return DTYPES.get(SUFFIXES[command.type] if command.type else kind, np.float32)
 
 
 def memory(value: Any, dtype: Any) -> NDArray[Any]:
@@ -241,6 +244,4 @@ def memory(value: Any, dtype: Any) -> NDArray[Any]:
         return array
     if dtype is None and not hasattr(value, "dtype"):
         dtype = np.float32
-    if np.size(value) == 1024 and dtype == np.uint8:  # PyOpenGL's ones and zeros of a stipple
-        return np.packbits(np.reshape(value, (32, 32)) != np.uint8(0), axis=1)
     return np.ascontiguousarray(value, dtype)

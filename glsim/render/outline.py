@@ -127,9 +127,11 @@ def _face(
     if offsets is not None:
         part.block.columns["depth_offset"] = offsets[each, None]
     yield part
+    if mode == GL_LINE and not any(state.transform.clip_enabled):
+        return
     planes = _planes(draw, rings, mode)
     outside = planes < 0.0
-    cut = np.flatnonzero(outside.any(axis=(1, 2)) & ~outside.all(axis=1).any(axis=1))
+    cut = np.flatnonzero(np.any(outside, axis=(1, 2)) & ~np.any(np.all(outside, axis=1), axis=1))
     if len(cut):
         source = np.repeat(provoking[cut], rings.shape[1])
         whole = _part(draw, GL_POINTS, rings[cut].ravel(), source, state, front)
@@ -152,9 +154,10 @@ def _planes(draw: Draw, rings: NDArray[np.uint32], mode: int) -> NDArray[np.floa
 def _introduced(whole: Draw, planes: NDArray[np.float64], edges: NDArray[np.int64], mode: int) -> Draw:
     """The edges or corners that clipping makes of polygons drawn as lines or points (section 2.11).
 
-    Along planes of glClipPlane they are boundary edges.  Along the view volume they are not, as in drivers: else there
-    would be a frame at the border of every picture.  whole: all corners of the polygons; edges: the kind of the edge from each
-    corner (n, k).
+    Along planes of glClipPlane they are boundary edges.  Along the view volume they are not, as in Mesa: else there
+    would be a frame at the border of every picture.
+
+    whole: all corners of the polygons, planes: see _planes; edges: the kind of the edge from each corner (n, k).
     """
     rows, columns, state = whole.block.rows.copy(), dict(whole.block.columns), whole.state
     lighting = Lighting(shade_model=GL_SMOOTH)
@@ -170,16 +173,21 @@ def _introduced(whole: Draw, planes: NDArray[np.float64], edges: NDArray[np.int6
     all_columns = [rows, *(columns[name] for name in varying)]
     polygons = np.concatenate(all_columns, axis=1).astype(np.float64).reshape(*edges.shape, -1)
     kept = []
-    for corners, distances, kinds in zip(polygons, planes, edges, strict=True):
-        left = clipped(corners, distances, kinds, 0 if mode == GL_LINE else VIEW_PLANES)
+    for polygon, distances_of, kinds in zip(polygons, planes, edges, strict=True):
+        left = clipped(polygon, distances_of, kinds, 0 if mode == GL_LINE else VIEW_PLANES)
         at = np.flatnonzero(left.edges == INTRODUCED if mode == GL_LINE else left.new & (left.edges != INTERIOR))
         if mode == GL_LINE:
             at = np.stack([at, (at + 1) % max(len(left.rows), 1)], axis=1).ravel()
         kept.append(left.rows[at])
-    rows, *values = np.split(np.concatenate(kept).astype(np.float32), np.cumsum([c.shape[1] for c in all_columns])[:-1], 1)
+    rows, *values = np.split(
+        np.concatenate(kept).astype(np.float32), np.cumsum([c.shape[1] for c in all_columns])[:-1], 1
+    )
     block = Vertices(np.ascontiguousarray(rows), columns | dict(zip(varying, values, strict=True)), [])
-    part = Draw(GL_LINES if mode == GL_LINE else GL_POINTS, 0, len(rows), None, whole.matrices, whole.material, state, block)
+    part = Draw(
+        GL_LINES if mode == GL_LINE else GL_POINTS, 0, len(rows), None, whole.matrices, whole.material, state, block
+    )
     part.color = None if whole.state.lighting.enabled and not lighting.enabled else whole.color
+    part.call = whole.call
     return part
 
 
@@ -223,7 +231,7 @@ def _part(
         if state.lighting.enabled:
             vertices.columns["lit_position"] = positions(block, source)
     material = draw.material
-    if block.materials and draw.indices is None:
+    if block.materials:
         vertices.materials = list(enumerate(draw.materials_at(source)))
     if not front and state.lighting.enabled and state.lighting.two_side:  # lines and points have no back: turn it round
         vertices.rows[:, 3:6] *= -1
@@ -235,5 +243,5 @@ def _part(
         elif state.lighting.color_material:
             state = state._replace(lighting=state.lighting._replace(color_material_face=GL_FRONT_AND_BACK))
     part = Draw(mode, 0, len(chosen), None, draw.matrices, material, state, vertices)
-    part.color = draw.color
+    part.color, part.call = draw.color, draw.call
     return part

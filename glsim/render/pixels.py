@@ -158,22 +158,23 @@ def _rectangle(
 # ---------------------------------------------------------------- many bitmaps: text
 
 
-def merged_bitmaps(packets: Iterable[Pixels]) -> Iterator[Pixels]:
-    """The same picture with fewer packets: bitmaps that differ only in their place become one.
+def merged_bitmaps(packets: Iterable[Pixels], size: tuple[int, int]) -> Iterator[Pixels]:
+    """The same picture, of this size (width, height), with fewer packets: bitmaps that differ only in their place
+    become one.
 
     That is so where fragments do not depend on what is there: without blending, logic op and stencil.
     """
     run: list[Pixels] = []
     for packet in packets:
         if run and not (_mergeable(packet) and _same(run[0], packet)):
-            yield _union(run)
+            yield _union(run, size)
             run = []
         if not _mergeable(packet):
             yield packet
         else:
             run.append(packet)
     if run:
-        yield _union(run)
+        yield _union(run, size)
 
 
 def _mergeable(packet: Pixels) -> bool:
@@ -187,15 +188,18 @@ def _same(a: Pixels, b: Pixels) -> bool:
     return a.state == b.state and a.raster[3:] == b.raster[3:]
 
 
-def _union(run: list[Pixels]) -> Pixels:
+def _union(run: list[Pixels], size: tuple[int, int]) -> Pixels:
+    """One bitmap as large as what is inside of the framebuffer."""
     if len(run) == 1:
         return run[0]
     places = [(int(packet.raster.x), int(packet.raster.y), packet.image) for packet in run]
-    left, bottom = min(x for x, _, _ in places), min(y for _, y, _ in places)
-    right = max(x + image.shape[1] for x, _, image in places if image is not None)
-    top = max(y + image.shape[0] for _, y, image in places if image is not None)
-    whole = np.zeros((top - bottom, right - left, 1), np.uint8)
+    left, bottom = max(min(x for x, _, _ in places), 0), max(min(y for _, y, _ in places), 0)
+    right = min(max(x + image.shape[1] for x, _, image in places if image is not None), size[0])
+    top = min(max(y + image.shape[0] for _, y, image in places if image is not None), size[1])
+    whole = np.zeros((max(top - bottom, 0), max(right - left, 0), 1), np.uint8)
     for x, y, image in places:
         assert image is not None
-        whole[y - bottom : y - bottom + image.shape[0], x - left : x - left + image.shape[1]] |= image
+        seen = image[max(bottom - y, 0) : max(top - y, 0), max(left - x, 0) : max(right - x, 0)]
+        row, column = max(y - bottom, 0), max(x - left, 0)
+        whole[row : row + seen.shape[0], column : column + seen.shape[1]] |= seen
     return run[0]._replace(image=whole, raster=run[0].raster._replace(x=float(left), y=float(bottom)))

@@ -11,6 +11,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from glsim.files import data_folder
+from glsim.machine.assembly import corners
 from glsim.machine.constants import (
     GL_ADD,
     GL_ADD_SIGNED,
@@ -67,8 +68,10 @@ from glsim.machine.constants import (
     GL_TEXTURE,
     GL_TEXTURE0,
 )
+from glsim.machine.frame import Draw
 from glsim.machine.state import MAX_CLIP_PLANES, TEXTURE_UNITS, Combine, Light, Lighting, Snapshot, TextureUnit
 from glsim.machine.texture import CUBE
+from glsim.render.lines import widened
 
 if TYPE_CHECKING:
     import moderngl
@@ -151,10 +154,30 @@ class ProgramKey(NamedTuple):
     objects: int = 1  # rows of transforms and materials that one draw can use
 
 
+def draw_key(draw: Draw, objects: int = 1, pixels: str = "", probe: bool = False) -> ProgramKey:
+    """The key of the program that draws ``draw``, which is one that a core profile can draw (outline.prepare).
+
+    objects: rows of transforms and materials it can use; pixels: see PIXELS; probe: for an Inspector.
+    """
+    state, columns = draw.state, draw.block.columns
+    wide = "line_corner" in columns and widened(state)
+    return program_key(state, corners(draw.mode))._replace(
+        wide_lines=wide,
+        has_w="w" in columns,
+        depth_offset="depth_offset" in columns,
+        smooth_lines=wide and state.line.smooth,
+        lit_elsewhere="lit_position" in columns,
+        pixels=PIXELS[pixels],
+        object_color=draw.color is not None,
+        probe=probe,
+        objects=objects,
+    )
+
+
 def program_key(state: Snapshot, corners: int = 3) -> ProgramKey:
     """The key of a state, for primitives with this many corners; states with the same key share a program.
 
-    The fields that depend on the vertices keep their defaults.
+    The fields that depend on the vertices keep their defaults: draw_key has them all.
     """
     color, fog = state.color_buffer, state.fog
     common = ProgramKey(

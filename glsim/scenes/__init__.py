@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 
 from glsim.machine.state import MAX_LIGHTS, Face
-from glsim.scenes.load import MeshError, fit, load
+from glsim.scenes.load import fit, load
 from glsim.scenes.materials import MATERIALS, material
-from glsim.scenes.mesh import Mesh
-from glsim.scenes.shapes import cube, low_terrain, sphere, teapot, terrain, torus
+from glsim.scenes.mesh import Mesh, MeshError
+from glsim.scenes.shapes import cube, sphere, teapot, terrain, torus
 
 __all__ = ["BUILT_IN", "MATERIALS", "Camera", "Mesh", "MeshError", "Scene", "load", "material", "open_scene"]
 
@@ -132,16 +132,22 @@ class _BuiltIn:
     slices: int
     material: str
     camera: Camera = Camera()
+    lights: Sequence[Lamp] = DEFAULT_LIGHTS
 
+
+# A lamp close to a face of the cube, which is brightest between its corners; and a weak light so that no side is black.
+NEAR_LAMP = (Lamp((-0.65, -0.3, -3.2, 1.0), 0.9), Lamp((1.0, 3.0, 3.0, 0.0), 0.4))
 
 BUILT_IN: dict[str, _BuiltIn] = {
     "teapot": _BuiltIn("the Utah teapot from its Bezier patches", _one(teapot), 6, "brass", Camera(30, 22, 3.85)),
     "sphere": _BuiltIn("one sphere", _one(sphere), 16, "ruby", Camera(0, 10, 4.3)),
     "spheres": _BuiltIn("a sphere with 6, 12, 24 and 96 slices", _spheres, 0, "jade", Camera(0, 0, 4.0)),
     "torus": _BuiltIn("a torus", _one(torus), 24, "polished-gold", Camera(0, 35, 4.0)),
-    "cube": _BuiltIn("a cube: six quads", _one(cube), 1, "turquoise", Camera(30, 25, 4.3)),
-    "terrain": _BuiltIn("smooth hills", _one(terrain), 96, "copper", Camera(30, 35, 3.6)),
-    "low-terrain": _BuiltIn("the same hills with few facets", _one(low_terrain), 14, "copper", Camera(30, 35, 3.6)),
+    "cube": _BuiltIn("a lamp near a cube of six quads", _one(cube), 1, "turquoise", Camera(30, 25, 4.3), NEAR_LAMP),
+    "terrain": _BuiltIn(
+        "smooth hills, so fine that Gouraud is almost Phong", _one(terrain), 96, "copper", Camera(30, 35, 4.0)
+    ),
+    "low-terrain": _BuiltIn("the same hills with few vertices", _one(terrain), 14, "copper", Camera(30, 35, 4.0)),
 }
 
 
@@ -158,7 +164,7 @@ def open_scene(what: str | Path) -> Scene:
         slices = int(number) if number else entry.slices
         if name in ("sphere", "torus") and slices < 3:
             raise ValueError(f"{what}: a {name} needs at least 3 slices")
-        return Scene(str(what), entry.meshes(slices), material(entry.material), entry.camera)
-    if not Path(what).is_file():
+        return Scene(str(what), entry.meshes(slices), material(entry.material), entry.camera, entry.lights)
+    if not Path(what).exists():
         raise MeshError(f"{what}: there is no such file, and the built-in scenes are {', '.join(BUILT_IN)}")
     return Scene(Path(what).name, load(what), material("white-plastic"), two_sided=True)

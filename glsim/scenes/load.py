@@ -8,37 +8,21 @@ from typing import Any
 import numpy as np
 
 from glsim.machine.state import BLACK, Color, Face
-from glsim.scenes.mesh import Mesh, area_vectors, blocks, unit, with_normals
-
-
-class MeshError(ValueError):
-    """A mesh file that cannot be drawn; the message names the file and what is wrong with it."""
+from glsim.scenes.mesh import Mesh, MeshError, area_vectors, blocks, unit, with_normals
 
 
 def load(path: str | Path) -> list[Mesh]:
     """The meshes of a file, centred and scaled into a sphere of radius 1.
 
     Normals are taken from the file or made; materials are mapped to k_a, k_d, k_s and n.
-    Raises MeshError for a missing, broken or empty file, or one with coordinates that are not numbers.
+    Raises MeshError for a missing, broken, empty or too large file, or one with coordinates that are not numbers.
     """
     path = Path(path)
-    if not path.is_file():
+    if not path.exists():
         raise MeshError(f"{path}: there is no such file, and no built-in scene of this name")
-    import trimesh
+    from glsim.scenes.reading import read
 
-    try:
-        scene = trimesh.load_scene(path, process=False)
-        geometries = [g for g in scene.dump() if isinstance(g, trimesh.Trimesh) and len(g.faces)]
-    except ImportError as error:
-        raise MeshError(f"{path}: reading this kind of file needs a package more: pip install {error.name}") from error
-    except Exception as error:  # whatever the reader of this format trips over
-        kind = path.suffix.lstrip(".").upper() or "mesh"
-        raise MeshError(
-            f"{path} cannot be read as a {kind} file: {' '.join(str(error).split()) or type(error).__name__}"
-        ) from error
-    if not geometries:
-        raise MeshError(f"{path} has no triangles to draw")
-    return from_trimesh(geometries, str(path))
+    return from_trimesh(read(path)[1], str(path))
 
 
 def from_trimesh(geometries: list[Any], name: str) -> list[Mesh]:

@@ -15,6 +15,10 @@ Float = NDArray[np.float32]
 Uint = NDArray[np.uint32]
 
 
+class MeshError(ValueError):
+    """A mesh file that cannot be drawn; the message names the file and what is wrong with it."""
+
+
 @dataclass
 class Mesh:
     """Vertices and the triangles and quads between them, counter-clockwise seen from outside.
@@ -123,19 +127,3 @@ def with_normals(positions: NDArray[Any], triangles: Uint, crease: float = 40.0)
 
 def _no_quads() -> Uint:
     return np.empty((0, 4), np.uint32)
-
-
-def faceted(mesh: Mesh) -> Mesh:
-    """The same triangles and quads with one normal each: low-poly."""
-    parts = []
-    for faces in (mesh.triangles, mesh.quads):
-        if not len(faces):
-            continue
-        corners = mesh.positions[faces]
-        normal = unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, -1] - corners[:, 0]))
-        size = faces.shape[1]
-        numbers = np.arange(faces.size, dtype=np.uint32).reshape(-1, size)
-        empty = np.empty((0, 7 - size), np.uint32)
-        triangles, quads = (numbers, empty) if size == 3 else (empty, numbers)
-        parts.append(Mesh(corners.reshape(-1, 3), np.repeat(normal, size, axis=0).astype(np.float32), triangles, quads))
-    return join(parts)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.scenes.mesh import Mesh, faceted, grid, join, unit
+from glsim.scenes.mesh import Mesh, grid, join, unit
 
 Array = NDArray[np.float64]
 
@@ -62,11 +62,6 @@ def terrain(slices: int = 96) -> Mesh:
         dx += height * kx * np.cos(angle)
         dz += height * kz * np.cos(angle)
     return grid(np.stack([x, y, z], axis=2), unit(np.stack([-dx, np.ones_like(x), -dz], axis=2)))
-
-
-def low_terrain(slices: int = 14) -> Mesh:
-    """The same hills with few facets, each with one normal."""
-    return faceted(terrain(slices))
 
 
 def teapot(slices: int = 8) -> Mesh:

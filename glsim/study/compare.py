@@ -14,18 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
-from glsim.machine.constants import (
-    GL_BLINN_TORRANCE_GLSIM,
-    GL_FLAT,
-    GL_LINE,
-    GL_PHONG_LOBE_GLSIM,
-    GL_PHONG_WIN,
-    GL_SMOOTH,
-)
-from glsim.machine.frame import Draw, Frame, Vertices
+from glsim.machine.frame import Frame
+from glsim.play.capture import capture
+from glsim.play.frames import drawer, frame_of_program
+from glsim.play.reshade import shaded
 from glsim.scenes import Camera, Lamp
-from glsim.study.capture import capture
-from glsim.study.frames import drawer
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -47,8 +40,6 @@ MODES = {
 BOUNCING = ("direct", "radiosity")
 LOBES = {"blinn": "Blinn-Torrance  (N·H)^n", "phong": "Phong  (R·V)^n"}
 ROWS = {**LOBES, "diffuse": "Diffuse"}
-SHADE_MODEL = {"flat": GL_FLAT, "gouraud": GL_SMOOTH, "phong": GL_PHONG_WIN}
-LOBE = {"blinn": GL_BLINN_TORRANCE_GLSIM, "phong": GL_PHONG_LOBE_GLSIM}
 AMPLIFIED = 4
 
 
@@ -82,8 +73,6 @@ class Comparison:
     @property
     def sheet(self) -> Image.Image:
         """The labelled sheet: for each lobe a row of pictures and, under it, amplified differences from the first."""
-        from glsim.study.sheet import draw_sheet
-
         return draw_sheet(self)
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -95,6 +84,49 @@ class Comparison:
         buffer = io.BytesIO()
         self.sheet.save(buffer, "PNG")
         return buffer.getvalue()
+
+
+def draw_sheet(comparison: Comparison) -> Image.Image:
+    """Columns: modes.  Rows: for each lobe the pictures, then their amplified differences from the first mode."""
+    from PIL import Image, ImageDraw, ImageFont
+
+    from glsim.pictures import FAINT, INK, PAPER, upright
+
+    first = next(iter(comparison.images.values()))
+    height, width = first.shape[:2]
+    text = max(11, min(width, 512) // 22)
+    gap, line = text // 2, round(text * 1.5)
+    font, small = ImageFont.load_default(text), ImageFont.load_default(max(10, round(text * 0.8)))
+    left, top = line + gap, 2 * line + gap
+    columns, lobes = len(comparison.modes), comparison.lobes
+    differences = columns > 1
+    block = height + gap + (height + line + gap if differences else 0)
+    size = (left + columns * (width + gap), top + len(lobes) * block)
+    sheet = Image.new("RGB", size, PAPER)
+    pen = ImageDraw.Draw(sheet)
+    pen.text((left, gap // 2), comparison.title, INK, font)
+    for column, mode in enumerate(comparison.modes):
+        pen.text((left + column * (width + gap) + width // 2, line + gap // 2), MODES[mode], INK, font, anchor="ma")
+    for row, lobe in enumerate(lobes):
+        y = top + row * block
+        upright(sheet, ROWS[lobe], font, INK, (gap // 2, y), height)
+        for column, mode in enumerate(comparison.modes):
+            x = left + column * (width + gap)
+            if (lobe, mode) not in comparison.images:
+                words = "fixed function has (N·H)^n only"
+                pen.text((x + width // 2, y + height // 2), words, FAINT, small, anchor="mm")
+                continue
+            sheet.paste(Image.fromarray(comparison.images[lobe, mode]), (x, y))
+            if differences:
+                d = comparison.difference(lobe, mode)
+                amplified = np.minimum(d * AMPLIFIED, 255).astype(np.uint8)
+                sheet.paste(Image.fromarray(amplified), (x, y + height + gap))
+                words = "reference" if column == 0 else f"max {d.max()}   mean {d.mean():.2f}"
+                pen.text((x + width // 2, y + 2 * height + gap + gap // 3), words, FAINT, small, anchor="ma")
+        if differences:
+            words = f"difference, {AMPLIFIED} times amplified"
+            upright(sheet, words, small, FAINT, (gap // 2, y + height + gap), height)
+    return sheet
 
 
 def compare(
@@ -204,19 +236,22 @@ def _compare_radiosity(
 def _compare_program(
     script: Path, modes: tuple[str, ...], lobes: tuple[str, ...], tell: Callable[[str], object]
 ) -> Comparison:
-    """The first picture of a program, run once for each mode and lobe."""
+    """The first picture of a program, run once for each mode and lobe; native replays the calls it made."""
     from PIL import Image
 
-    from glsim.study.play import Plan
-    from glsim.study.run import run
+    from glsim.play.plan import Plan
+    from glsim.play.run import run
 
-    if "native" in modes:
-        raise ValueError("compare: a program cannot be drawn by the driver's fixed function here; leave native out")
     images = {}
     with tempfile.TemporaryDirectory(prefix="glsim-") as folder:
         for lobe in lobes:
             for mode in modes:
+                if mode == "native" and lobe != "blinn":
+                    continue  # fixed function has no other lobe
                 tell(f"running {script.name}: {MODES[mode]}, {LOBES[lobe]}")
+                if mode == "native":
+                    images[lobe, mode] = _native(frame_of_program(script, calls=True))
+                    continue
                 record = run(Plan(str(script), out=folder, shade=mode, lobe=lobe))
                 if record["status"] != "ok" or not record["pictures"]:
                     reasons = [error["error"] for error in record["errors"]] + record["notes"]
@@ -241,49 +276,3 @@ def _native(frame: Frame) -> Pixels:
         return np.ascontiguousarray(native.replay(frame.calls)[..., :3])
     finally:
         native.release()
-
-
-def shaded(frame: Frame, mode: str, lobe: str) -> Frame:
-    """The frame with every lit draw under another shade model and lobe, or as wireframe, or without light."""
-    if mode == "wireframe":
-        return _unlit(frame).map_draws(_outlined)
-    if mode == "unlit":
-        return _unlit(frame)
-
-    def change(draw: Draw) -> Draw:
-        lighting = draw.state.lighting._replace(shade_model=SHADE_MODEL[mode], lobe=LOBE[lobe])
-        return draw.with_state(draw.state._replace(lighting=lighting))
-
-    return frame.map_draws(change)
-
-
-def _unlit(frame: Frame) -> Frame:
-    """Lit draws in the plain colour k_d of their material."""
-    blocks: dict[int, Vertices] = {}
-
-    def change(draw: Draw) -> Draw:
-        lighting, block = draw.state.lighting, draw.block
-        if not lighting.enabled:
-            return draw
-        plain = draw.with_state(draw.state._replace(lighting=lighting._replace(enabled=False)))
-        if lighting.color_material:
-            return plain
-        if not block.materials:
-            plain.color = draw.material.front.diffuse
-            return plain
-        if id(block) not in blocks:
-            blocks[id(block)] = Vertices(block.rows.copy(), block.columns, [])
-        plain.vertices = blocks[id(block)]
-        end = draw.first + draw.count
-        plain.vertices.rows[draw.first : end, 6:10] = draw.material.front.diffuse
-        for vertex, material in draw.material_changes():
-            plain.vertices.rows[vertex:end, 6:10] = material.front.diffuse
-        return plain
-
-    return frame.map_draws(change)
-
-
-def _outlined(draw: Draw) -> Draw:
-    """Polygons as their edges."""
-    polygon = draw.state.polygon._replace(front_mode=GL_LINE, back_mode=GL_LINE)
-    return draw.with_state(draw.state._replace(polygon=polygon))

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
+from itertools import count, groupby
 from typing import Any
 
 import numpy as np
 
-from glsim.machine.assembly import corners
 from glsim.machine.constants import GL_COMBINE
 from glsim.machine.frame import Draw, Frame, Trail, Where
-from glsim.render.programs import ProgramKey, program_key, sources
-from glsim.study.frames import frame_of
+from glsim.play.frames import frame_of
+from glsim.render.batch import MOST_OBJECTS, plans
+from glsim.render.outline import prepare
+from glsim.render.programs import ProgramKey, draw_key, sources
 from glsim.study.glsl import specialised
 from glsim.study.provenance import BEFORE, History, Path, Provenance, call_text, enum_name, value_at
 
@@ -80,23 +82,40 @@ def explain(what: Any, draw: int | None = None, **options: Any) -> list[Explanat
         if draw is None or number == draw:
             wanted.setdefault((packet.call, packet.trail), []).append(number)
     found: dict[int, Explanation] = {}
+    keys = program_keys(frame)
     for step in History(frame).walk():
         for which in wanted.pop((step.number, step.trail), ()):
-            found[which] = _Explainer(frame, draws[which], step.provenance).explanation(which)
+            found[which] = _Explainer(frame, draws[which], step.provenance).explanation(which, keys[which])
         if not step.trail:  # a list made before the recording began is not followed inside
             for key in [key for key in wanted if key[0] == step.number]:
                 for which in wanted.pop(key):
-                    found[which] = _Explainer(frame, draws[which], step.provenance).explanation(which)
+                    found[which] = _Explainer(frame, draws[which], step.provenance).explanation(which, keys[which])
     return [found[number] for number in sorted(found)]
+
+
+def program_keys(frame: Frame) -> list[ProgramKey]:
+    """For each Draw of a frame the key of the program that draws it; of its first part, if it is drawn in several."""
+    draws = list(frame.draws)
+    keys: dict[int | None, ProgramKey] = {}
+    numbers = count()
+    for _, group in groupby(frame.packets, key=type):
+        run = [packet.with_state(packet.state) for packet in group if isinstance(packet, Draw)]
+        for draw in run:
+            draw.call = next(numbers)  # by which its parts are known
+        for plan in plans(list(prepare(run)), MOST_OBJECTS)[1]:
+            for batch in plan.batches:
+                key = draw_key(batch.draws[0], MOST_OBJECTS if plan.several(batch) else 1)
+                for part in batch.draws:
+                    keys.setdefault(part.call, key)
+    return [keys.get(number) or draw_key(draw) for number, draw in enumerate(draws)]
 
 
 class _Explainer:
     def __init__(self, frame: Frame, draw: Draw, provenance: Provenance) -> None:
         self.frame, self.draw, self.provenance = frame, draw, provenance
 
-    def explanation(self, number: int) -> Explanation:
+    def explanation(self, number: int, key: ProgramKey) -> Explanation:
         draw = self.draw
-        key = program_key(draw.state, corners(draw.mode))
         call = self.frame.calls[draw.call or 0]
         what = f"{draw.mode!r}, {draw.count} vertices"
         return Explanation(number, what, call.where, list(self._key(key)), list(self._uniforms(key)), key)
@@ -169,9 +188,21 @@ class _Explainer:
             ("NORMALIZE", ("transform", "normalize")), ("RESCALE_NORMAL", ("transform", "rescale_normal")),
             ("COLOR_SUM", ("fog", "color_sum")), ("POLYGON_STIPPLE", ("polygon", "stipple")),
             ("LINE_STIPPLE", ("line", "stipple")), ("POINT_SMOOTH", ("point", "smooth")),
+            ("WIDE_LINES", ("line", "width")), ("SMOOTH_LINES", ("line", "smooth")),
         ):  # fmt: skip
             if getattr(key, name.lower()) or (name == "NORMALIZE" and key.lighting):
                 yield Setting(name, value_text(getattr(key, name.lower())), self._origins(path))
+        for name, why in (
+            ("HAS_W", "a vertex has a w that is not 1"),
+            ("OBJECT_COLOR", "the list sets no colour: all its vertices have the one at glCallList"),
+            ("DEPTH_OFFSET", "glPolygonOffset, for outlines: each vertex is moved in depth"),
+            ("LIT_ELSEWHERE", "an outline is lit where the polygon's provoking vertex is"),
+        ):
+            if getattr(key, name.lower()):
+                yield Setting(name, "true", (), why)
+        if key.objects > 1:
+            why = "drawn together with others, each with matrices and a material of its own"
+            yield Setting("MANY_OBJECTS", "true", (), why)
         if key.fog:
             yield Setting("FOG", enum_name(int(key.fog)), self._origins(("fog", "enabled"), ("fog", "mode")))
         if self.draw.state.color_buffer.alpha_test:
@@ -208,7 +239,7 @@ class _Explainer:
                 yield self._state(f"fog {name}", "fog", name)
         if key.points:
             yield self._state("point size", "point", "size")
-        if corners(self.draw.mode) == 2:
+        if not key.areas and not key.points:
             yield self._state("line width", "line", "width")
         if state.color_buffer.alpha_test:
             yield self._state("alpha reference", "color_buffer", "alpha_reference")

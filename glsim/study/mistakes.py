@@ -19,6 +19,8 @@ from glsim.machine.constants import (
     GL_COLOR_MATERIAL,
     GL_DEPTH_BUFFER_BIT,
     GL_FRONT,
+    GL_LIGHT0,
+    GL_POSITION,
     GL_SMOOTH,
 )
 from glsim.machine.frame import Call, Draw, Frame, Moment, Where
@@ -30,12 +32,18 @@ from glsim.study.provenance import BEFORE, Path, Provenance, call_text
 
 Float = NDArray[np.float64]
 MOST = 3000  # primitives of a Draw that are looked at
+LARGE = 100  # triangles in which a highlight is looked for with care
 
 # kind -> what is said
 DIAGNOSES = {
     "normals-scaled": "normals have length {length} in eye space, because the modelview matrix scales:"
     " glEnable(GL_NORMALIZE)",
     "normals-not-unit": "normals have length {length} in eye space (glNormal got {given}): glEnable(GL_NORMALIZE)",
+    "normals-zero": "normals have length 0 in eye space: {cause}; without a direction there is no light",
+    "up-along-view": "{camera}: up is parallel to the direction of view, or eye and centre are the same point, so"
+    " nobody knows where right is, and nothing is seen: choose another up, such as (0, 0, -1) for a view from above",
+    "position-of-three": "GL_POSITION of GL_LIGHT{light} has three numbers; the missing w counts as 0, a direction, and"
+    " in C it would be whatever lies behind the array: add 1.0 for a lamp at that point, 0.0 for a direction",
     "light-before-camera": "the position of GL_LIGHT{light} was set before {camera}: it is fixed to the camera;"
     " if it shall stay in the world, set GL_POSITION after gluLookAt",
     "lighting-without-normals": "GL_LIGHTING is on, but no normal was ever set: every vertex has (0, 0, 1), so the"
@@ -52,7 +60,34 @@ DIAGNOSES = {
     "depth-not-cleared": "GL_DEPTH_TEST is on, but this glClear leaves the depth buffer as it is: the next frame is"
     " hidden behind this one; add GL_DEPTH_BUFFER_BIT",
     "surplus": "{call}: {name} takes {count} ({names}) and ignores what comes after{other}",
+    "projection-in-modelview": "{call} is in the modelview matrix: lighting, fog and clip planes see positions and"
+    " normals that perspective has bent; call glMatrixMode(GL_PROJECTION) before it, and glMatrixMode(GL_MODELVIEW)"
+    " after it",
+    "missing-buffer": "{test} has no effect, because the window has no {buffer} buffer: add {flag} to"
+    " glutInitDisplayMode",
     "error": "{error}",
+}
+
+
+# kind -> what was looked at, also where nothing was found
+CHECKED = {
+    "normals-scaled": "normals that the modelview matrix makes longer or shorter, without GL_NORMALIZE",
+    "normals-not-unit": "glNormal with lengths other than 1, without GL_NORMALIZE",
+    "normals-zero": "normals without a direction",
+    "up-along-view": "gluLookAt whose up points where the camera looks",
+    "position-of-three": "a GL_POSITION of three numbers",
+    "light-before-camera": "lights that are placed before gluLookAt",
+    "lighting-without-normals": "GL_LIGHTING without any glNormal",
+    "color-material-order": "GL_COLOR_MATERIAL enabled before glColorMaterial",
+    "highlight-lost": "highlights that GL_SMOOTH loses between the vertices",
+    "near-plane": "a near plane at or behind the eye",
+    "radians": "glRotate with radians",
+    "matrix-stack": "glPushMatrix without glPopMatrix",
+    "depth-not-cleared": "GL_DEPTH_TEST with a depth buffer that is never cleared",
+    "surplus": "arguments that a command ignores",
+    "projection-in-modelview": "gluPerspective, glFrustum or glOrtho in the modelview matrix",
+    "missing-buffer": "a depth or stencil test without its buffer",
+    "error": "an error that ends the program",
 }
 
 
@@ -75,6 +110,7 @@ class Detector:
         self.pushes: dict[int, list[int]] = {}  # by matrix mode
         self.clear: int | None = None  # the last glClear of the colour buffer
         self.depth_clear: int | None = None
+        self.flat_view = False  # after a gluLookAt without a side
         self.stale: int | None = None  # a glClear before a Draw with the depth test, without the depth buffer
 
     def _mistake(self, kind: str, number: int, **words: Any) -> Mistake:
@@ -97,6 +133,12 @@ class Detector:
         elif name.startswith("glRotate") and _is_radians(float(arguments[0])):
             angle = float(arguments[0])
             yield self._mistake("radians", number, call=call_text(call), angle=angle, degrees=math.degrees(angle))
+        elif name.startswith("glMultMatrix") and _via(call).startswith("gluLookAt"):
+            self.flat_view = not np.asarray(arguments[0]).reshape(4, 4)[:3, :3].any(axis=0).all()
+            if self.flat_view:
+                yield self._mistake("up-along-view", number, camera=_via(call))
+        elif name.startswith("glLight") and arguments[1:2] == (GL_POSITION,) and np.size(arguments[2]) == 3:
+            yield self._mistake("position-of-three", number, light=int(arguments[0]) - GL_LIGHT0)
         elif name == "glFrustum" or _via(call).startswith("gluPerspective"):
             near = _near(call)
             if near is not None and near <= 0.0:
@@ -133,18 +175,28 @@ class Detector:
 
     # ------------------------------------------------------------ draws
 
-    def draw(self, draw: Draw, provenance: Provenance) -> Iterator[Mistake]:
+    def draw(self, draw: Draw, provenance: Provenance, after: Moment) -> Iterator[Mistake]:
+        """after: what the program has set; the state of a Draw in a window without a buffer has no test."""
         state, call = draw.state, draw.call or 0
+        for kind in ("depth", "stencil"):
+            if getattr(after.state, kind).test and not getattr(state, kind).test:
+                test, flag = f"GL_{kind.upper()}_TEST", f"GLUT_{kind.upper()}"
+                setter = provenance.setters.get((kind, "test"), call)
+                yield self._mistake("missing-buffer", setter, test=test, buffer=kind, flag=flag)
         if state.depth.test and state.depth.func != GL_ALWAYS and self.clear is not None and not self._together():
             self.stale = self.clear
         chosen = assembled(draw)
         if not state.lighting.enabled or not len(chosen):
             return
+        if np.any(draw.matrices[0].get()[:, 3] != (0.0, 0.0, 0.0, 1.0)):
+            yield from self._perspective(call, provenance)
+            return  # what else is strange about the lighting comes of it
         if self._without_normals(draw, chosen, provenance):
             yield self._mistake("lighting-without-normals", call)
         else:
             for kind, numbers in (*_lengths(draw, chosen), *_lost_highlight(draw, chosen)):
-                yield self._mistake(kind, call, **numbers)
+                if kind != "normals-zero" or not self.flat_view:
+                    yield self._mistake(kind, call, **numbers)
         yield from self._lights(draw, provenance)
 
     def _together(self) -> bool:
@@ -163,6 +215,14 @@ class Detector:
         triangles = draw.block.rows[chosen.reshape(-1, 3)[:MOST], :3].astype(np.float64)
         faces = normalize(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]))
         return bool(((np.abs(faces[:, 2]) < 0.99) & faces.any(axis=1)).any())
+
+    def _perspective(self, draw: int, provenance: Provenance) -> Iterator[Mistake]:
+        """The modelview makes a w that is not 1: by the first gluPerspective or glFrustum in it, or another matrix."""
+        chain = [call for call in provenance.chains["modelview"][-1] if call != BEFORE]
+        named = [(_via(self.frame.calls[call]) or self.frame.calls[call].name, call) for call in chain]
+        guilty = [(name, call) for name, call in named if name.startswith(("gluPerspective", "glFrustum"))]
+        name, call = guilty[0] if guilty else ("a perspective projection", chain[-1] if chain else draw)
+        yield self._mistake("projection-in-modelview", call, call=name)
 
     def _lights(self, draw: Draw, provenance: Provenance) -> Iterator[Mistake]:
         cameras = self._cameras(provenance.chains["modelview"][-1])
@@ -237,6 +297,10 @@ def _lengths(draw: Draw, chosen: NDArray[np.uint32]) -> Found:
     if wrong.mean() < 0.1:
         return
     given = float(np.median(np.linalg.norm(draw.block.rows[numbers, 3:6].astype(float), axis=1)))
+    if not lengths[wrong].any():
+        matrix = "the modelview matrix flattens the scene, as glScale by 0 does"
+        yield "normals-zero", {"cause": matrix if given else "glNormal got (0, 0, 0)"}
+        return
     kind = "normals-scaled" if abs(given - 1.0) <= 0.02 else "normals-not-unit"
     yield kind, {"length": f"{np.median(lengths[wrong]):.3g}", "given": f"{given:.3g}"}
 
@@ -253,25 +317,31 @@ def _lost_highlight(draw: Draw, chosen: NDArray[np.uint32]) -> Found:
     stage = vertex_stage(draw, numbers, 0, colors=False)
     places = places.reshape(-1, 3)
     places = places[(stage.clip[places, 3] > 0.0).all(axis=1)]
-    places = places[_areas(window(stage.clip, draw.state.viewport)[places, :2]) > 100.0]
-    if not len(places):
-        return
+    areas = _areas(window(stage.clip, draw.state.viewport)[places, :2])
+    places = places[np.argsort(-areas)][: (areas > 100.0).sum()]  # the largest first
     point = stage.eye[:, :3] / stage.eye[:, 3:]
 
     def highlight(N: Float, P: Float) -> Float:
         terms, _ = illumination(lighting, GL_FRONT, [draw.material] * len(P), N, P, np.ones((len(P), 4)))
         return np.asarray(np.clip(terms.highlight, 0.0, 1.0).max(axis=1))
 
-    vertices = highlight(stage.normal, point)[places]
-    seen: list[tuple[float, float]] = []
-    for weights in ((1 / 3, 1 / 3, 1 / 3), (0.5, 0.5, 0.0), (0.5, 0.0, 0.5), (0.0, 0.5, 0.5)):
-        N = normalize(np.einsum("k,nkc->nc", weights, stage.normal[places]))
-        inside = highlight(N, np.einsum("k,nkc->nc", weights, point[places]))
-        k = int(np.argmax(inside - vertices @ np.array(weights)))
-        seen.append((float(inside[k]), float(vertices[k] @ np.array(weights))))
-    inside_there, there = max(seen, key=lambda pair: pair[0] - pair[1])
-    if inside_there - there >= 0.25:
-        yield "highlight-lost", {"inside": inside_there, "interpolated": there}
+    vertices = highlight(stage.normal, point)
+    worst = (0.0, 0.0)
+    for some, steps in ((places[:LARGE], 8), (places[LARGE:], 3)):  # a small highlight hides in a large triangle
+        for weights in _inside(steps) if len(some) else ():
+            N = normalize(np.einsum("k,nkc->nc", weights, stage.normal[some]))
+            inside = highlight(N, np.einsum("k,nkc->nc", weights, point[some]))
+            interpolated = vertices[some] @ weights
+            k = int(np.argmax(inside - interpolated))
+            worst = max(worst, (float(inside[k]), float(interpolated[k])), key=lambda pair: pair[0] - pair[1])
+    if worst[0] - worst[1] >= 0.25:
+        yield "highlight-lost", {"inside": worst[0], "interpolated": worst[1]}
+
+
+def _inside(steps: int) -> list[Float]:
+    """Weights of the corners for points that are evenly spread in a triangle and on its edges."""
+    numbers = range(steps)
+    return [np.array([i, j, k]) / steps for i in numbers for j in numbers if (k := steps - i - j) in numbers]
 
 
 def _areas(at: Float) -> Float:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from glsim.machine.frame import Where
-from glsim.study.frames import frame_of
+from glsim.play.frames import frame_of
 
 Numbers = tuple[float, ...]
 Bytes = tuple[int, int, int, int]

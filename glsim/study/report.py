@@ -13,6 +13,7 @@ from rich.text import Text
 
 from glsim.machine.frame import Where
 from glsim.study.explain import Explanation, Setting
+from glsim.study.mistakes import CHECKED
 from glsim.study.probe import Evaluation, Fragment, LightTerms, Probe
 from glsim.study.trace import Trace
 
@@ -188,15 +189,23 @@ def calls_table(trace: Trace) -> Table:
         changes = "\n".join(f"{state}: {old} -> {new}" for state, old, new in entry.changes)
         if entry.redundant:
             changes = "redundant: it was so already"
+        changes = entry.note or changes
         if entry.drew:
             changes = f"{entry.drew} draw" + ("s" if entry.drew > 1 else "") + (f"\n{changes}" if changes else "")
-        table.add_row(str(entry.call), entry.text, line(entry.where), changes, style="dim" if entry.redundant else "")
+        table.add_row(
+            str(entry.call),
+            entry.text,
+            line(entry.where),
+            changes,
+            style="dim" if entry.redundant or entry.note else "",
+        )
     return table
 
 
 def mistakes_list(trace: Trace) -> Text:
     if not trace.mistakes:
-        return Text("No classic mistake was found.", style="green")
+        checks = "\n".join(f"  {what}" for what in CHECKED.values())
+        return Text.assemble(("None of these mistakes was found; others were not looked for:\n", "green"), checks)
     parts: list[tuple[str, str]] = []
     for mistake in trace.mistakes:
         parts += [

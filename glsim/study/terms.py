@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from glsim.files import write_atomically
 from glsim.machine.constants import GL_PHONG_LOBE_GLSIM
 from glsim.machine.frame import Frame
+from glsim.play.frames import frame_of
 from glsim.render.context import Offscreen, offscreen
 from glsim.render.inspect import Inspector, Piece, Survey
 from glsim.shading import normalize
 from glsim.study.fragments import Shaded, shade
-from glsim.study.frames import frame_of
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -70,8 +70,6 @@ class Terms:
     @property
     def sheet(self) -> Image.Image:
         """All images, labelled."""
-        from glsim.study.sheet import terms_sheet
-
         return terms_sheet(self)
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -162,3 +160,44 @@ def _add(result: Terms, at: Any, piece: Piece, lit: Shaded) -> None:
             put(result.summands, f"light {number} {name}", getattr(light, name))
         put(result.N_L, number, light.N_L)
         put(result.cosine, number, light.cosine)
+
+
+def terms_sheet(terms: Terms) -> Image.Image:
+    """A row for the whole picture, then one for each light."""
+    from glsim.pictures import BEHIND, NOTHING, heat, tiles
+
+    covered = terms.covered
+
+    def color(image: NDArray[np.float64]) -> NDArray[np.uint8]:
+        return np.asarray(np.clip(image, 0.0, 1.0) * 255.0 + 0.5, np.uint8)
+
+    seen = terms.depth[covered]
+    near, far = (float(seen.min()), float(seen.max())) if seen.size else (0.0, 1.0)
+    depth = (terms.depth.astype(float) - near) / max(far - near, 1e-12)
+    normals = np.where(covered[..., None], 0.5 + 0.5 * terms.normal, np.array(NOTHING) / 255.0)
+    mask = np.where(terms.clamped[..., None], [255, 60, 30], np.where(covered[..., None], BEHIND, NOTHING))
+    of = "N·H" if terms.vector == "H" else "R·V"
+    rows: list[list[tuple[str, NDArray[np.uint8]]]] = [
+        [
+            ("the picture", terms.picture[..., :3]),
+            ("sum of all terms", color(terms.sum)),
+            (f"red: I > 1, clamped at {int(terms.clamped.sum())} pixels", mask.astype(np.uint8)),
+            ("normal, (N + 1) / 2", color(normals)),
+            (f"depth, {near:.4f} to {far:.4f}", heat(np.clip(depth, 0.0, 1.0), covered)),
+        ],
+        [
+            (f"{name}, max {image.max():.3f}", color(image))
+            for name, image in terms.summands.items()
+            if "light" not in name
+        ],
+    ]
+    for light in terms.lights:
+        parts = {name: terms.summands[f"light {light} {name}"] for name in ("ambient", "diffuse", "specular")}
+        row = [(f"light {light} {name}, max {image.max():.3f}", color(image)) for name, image in parts.items()]
+        row.append((f"light {light} N·L, 0 to 1; grey: behind", heat(terms.N_L[light], terms.lit)))
+        row.append((f"light {light} {of}, 0 to 1", heat(terms.cosine[light], terms.lit)))
+        rows.append(row)
+    title = "I = emission + k_a I_a + sum over lights of (ambient + diffuse + specular)"
+    if terms.more:
+        title += f".   {', '.join(terms.more).capitalize()} of the picture come later and are not in the terms."
+    return tiles(title, rows)

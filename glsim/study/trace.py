@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from glsim.machine.commands import COMMANDS
 from glsim.machine.frame import Call, Draw, Frame, Where
 from glsim.machine.record import REGISTERS_ONLY
+from glsim.machine.state import Lighting
+from glsim.play.frames import frame_of
 from glsim.study.explain import matrix_text, value_text
-from glsim.study.frames import frame_of
-from glsim.study.mistakes import Detector, Mistake
+from glsim.study.mistakes import CHECKED, Detector, Mistake
 from glsim.study.provenance import LOADING, MULTIPLYING, NAMES, History, Step, call_text, value_at
 
 
@@ -19,7 +20,8 @@ from glsim.study.provenance import LOADING, MULTIPLYING, NAMES, History, Step, c
 class Entry:
     """One call, or a run of glVertex and the like.
 
-    changes: (state, old value, new value) as text; redundant: it set what was set already; drew: number of its Draws.
+    changes: (state, old value, new value) as text; redundant: it set what was set already; drew: number of its Draws;
+    note: why it has no effect.
     """
 
     call: int
@@ -28,6 +30,7 @@ class Entry:
     changes: tuple[tuple[str, str, str], ...] = ()
     redundant: bool = False
     drew: int = 0
+    note: str = ""
 
 
 @dataclass(frozen=True)
@@ -43,6 +46,7 @@ class Trace:
         return {
             "calls": plain(self.entries),
             "mistakes": [{**entry._asdict(), "where": plain(entry.where)} for entry in self.mistakes],
+            "checked": CHECKED,
         }
 
 
@@ -65,24 +69,62 @@ def _traced(frame: Frame) -> tuple[list[Entry], list[Mistake]]:
     entries: list[Entry] = []
     mistakes: list[Mistake] = []
     run: list[tuple[int, Call]] = []
+    colors = Colors()
     for step in History(frame).walk():
         number, call, before, after = step[:4]
         mistakes += detector.call(number, call, before, after)
         made = draws.get(number, [])
         for draw in [draw for draw in made if draw.trail == step.trail or not step.trail]:
-            mistakes += detector.draw(draw, step.provenance)
+            mistakes += detector.draw(draw, step.provenance, after)
+            colors.used(draw.state.lighting)
             made.remove(draw)
         if step.trail:
             continue
         if call.name in REGISTERS_ONLY and call.name != "glBegin":
             run.append((number, call))
+            colors.call(number, call)
             continue
+        if COMMANDS[call.name].family in ("glRasterPos", "glWindowPos"):
+            colors.used(after.state.lighting if call.name.startswith("glRasterPos") else None)
         entries += _run(run)
         run = []
         entries.append(_entry(step, counts.get(number, 0)))
     entries += _run(run)
     mistakes += detector.end()
-    return entries, list(_once(mistakes))
+    return [colors.noted(entry) for entry in entries], list(_once(mistakes))
+
+
+class Colors:
+    """Which calls of glColor no draw saw, because of lighting."""
+
+    def __init__(self) -> None:
+        self.new: list[int] = []  # glColor since the last draw
+        self.current: list[int] = []  # and the last one before
+        self.lit: set[int] = set()
+        self.seen: set[int] = set()
+        self.runs: dict[int, list[int]] = {}  # the first call of an Entry -> the glColor in it
+        self.first, self.last = -1, -2
+
+    def call(self, number: int, call: Call) -> None:
+        """One of glVertex, glColor, ...: what follows each other is one Entry."""
+        self.first = number if number != self.last + 1 else self.first
+        self.last = number
+        if COMMANDS[call.name].family == "glColor":
+            self.new.append(number)
+            self.runs.setdefault(self.first, []).append(number)
+
+    def used(self, lighting: Lighting | None) -> None:
+        """The current colour was needed, under this lighting or under none."""
+        used = self.new or self.current
+        ignored = lighting is not None and lighting.enabled and not lighting.color_material
+        (self.lit if ignored else self.seen).update(used)
+        self.new, self.current = [], used[-1:]
+
+    def noted(self, entry: Entry) -> Entry:
+        inside = self.runs.get(entry.call, [])
+        if not inside or not self.lit.issuperset(inside) or not self.seen.isdisjoint(inside):
+            return entry
+        return replace(entry, note="glColor has no effect: GL_LIGHTING is on and GL_COLOR_MATERIAL is off")
 
 
 def _once(mistakes: list[Mistake]) -> Iterator[Mistake]:

@@ -27,9 +27,9 @@ def play(implementation: str, script: str, frames: int) -> list[float]:
     """Milliseconds of each frame, in this process."""
     if implementation == "glsim":
         sys.path.insert(0, str(ROOT))
-        from glsim.study import alias
+        from glsim.play import pyopengl
 
-        alias.install()
+        pyopengl.install()
     from OpenGL import GL, GLUT
 
     called: dict[str, Callable[..., Any]] = {}

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import glsim
+from glsim.play.capture import capture
 from glsim.render.native import Native
-from glsim.study.capture import capture
 from tests.oracle import PROGRAMS
 from tests.oracle.measure import measure
 

@@ -12,7 +12,11 @@ from tests.oracle.states import EXACT_STATES, FORMATS, MATERIAL, STATES, States
 # What no program does -> why the two pictures may differ there.
 AVOIDED = {
     "rectangles, quads and polygons with lighting or sphere maps": "how they are cut is not specified",
-    "several blended layers, GL_SRC_COLOR as the second factor": "each rounds a source to 8 bits again",
+    "several blended layers, factors of the source but the usual two": "each rounds to 8 bits again",
+    "GL_DOT3_RGB and scales of 4": "they make four units of one unit of rounding",
+    "mipmaps with sphere maps": "how steep they are near the silhouette is not specified exactly",
+    "the same triangle twice": "its depth may differ in the last bit from another corner on",
+    "pixel zooms whose edges meet pixel centres": "Mesa draws those on the left edge as the column before",
     "alpha test and logic op on colours that vary": "one unit of rounding decides about a whole pixel",
     "GL_NEAREST and GL_LINEAR_MIPMAP_NEAREST": "where a texel or a level begins is a matter of the last bit",
     "wide, stippled and smooth lines": "ends may differ by a pixel; test_native.py has a measure for them",
@@ -183,7 +187,7 @@ class Author(States):
             self.say(f"glDrawArrays({mode}, 0, {count})")
         elif self.chance(0.7):
             letters, kind = self.random.choice([("u1", "BYTE"), ("u2", "SHORT"), ("u4", "INT")])
-            indices = f"random.integers(0, {count}, {count}).astype('{letters}')"
+            indices = f"random.permutation({count}).astype('{letters}')"
             self.say(f"glDrawElements({mode}, {count}, GL_UNSIGNED_{kind}, {indices})")
         else:
             self.say(f"glBegin({mode})", *(f"glArrayElement({k})" for k in range(count)), "glEnd()")
@@ -279,7 +283,7 @@ class Author(States):
         width, height = 4 * self.random.randint(1, 10), self.random.randint(3, 30)
         if self.chance(0.4):
             self.say(f"glWindowPos2i({self.random.randint(0, 90)}, {self.random.randint(0, 90)})")
-            self.say(f"glPixelZoom({self.pick(['2', '1.5', '-1', '3'])}, {self.pick(['2', '1', '-2'])})")
+            self.say(f"glPixelZoom({self.pick(['2', '1.37', '-1', '3'])}, {self.pick(['2', '1', '-2'])})")
         if kind == 0 and not self.exact and self.chance(0.5):
             self.say(
                 f"glPixelTransferf(GL_RED_SCALE, {self.number(0.5, 1.5)})",

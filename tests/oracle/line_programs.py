@@ -30,7 +30,10 @@ for _mode in (GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP):
     for _shade in (GL_FLAT, GL_SMOOTH):
         for _smooth in (False, True):
 
-            @partial((PROGRAMS if _smooth else LINES).__setitem__, f"materials_of_wide_{_mode!r}_{_shade!r}{'_smooth' * _smooth}")
+            @partial(
+                (PROGRAMS if _smooth else LINES).__setitem__,
+                f"materials_of_wide_{_mode!r}_{_shade!r}{'_smooth' * _smooth}",
+            )
             def _painted_lines(mode: int = _mode, shade: int = _shade, smooth: bool = _smooth) -> None:
                 glShadeModel(shade)
                 glLineWidth(4)
@@ -155,9 +158,7 @@ for _name, _width, _smooth, _stipple in (
     for _view in (False, True):
 
         @partial((SMOOTH if _smooth else LINES).__setitem__, f"clipped_{_name}_lines{'_in_a_viewport' * _view}")
-        def _rays(
-            width: float = _width, smooth: bool = _smooth, stipple: bool = _stipple, view: bool = _view
-        ) -> None:
+        def _rays(width: float = _width, smooth: bool = _smooth, stipple: bool = _stipple, view: bool = _view) -> None:
             cut(view)
             glLineWidth(width)
             if smooth:

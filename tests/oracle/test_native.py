@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import glsim
+from glsim.play.capture import capture
 from glsim.render.native import Native, NoNativeError
-from glsim.study.capture import capture
 from tests.oracle import PROGRAMS
 from tests.oracle.fragment_programs import LINES, SMOOTH
 from tests.oracle.measure import Difference, measure

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import builtins
 import logging
-import os
 import string
 import sys
 import types
@@ -13,16 +12,46 @@ import warnings
 from functools import cache
 from importlib import import_module
 from importlib.abc import Loader, MetaPathFinder
-from importlib.machinery import FileFinder, ModuleSpec, SourceFileLoader
+from importlib.machinery import ModuleSpec, SourceFileLoader
 from numbers import Integral
 from typing import Any
+
+NOT_INSTALLED = "install glsim with `pip install glsim[python2]` to have it converted"
 
 
 class ConversionError(Exception):
     """A program is neither Python 3 nor something that can be converted."""
 
 
+def compiled_program(source: bytes, name: str, convert: bool = True) -> tuple[types.CodeType, bool]:
+    """The code of a program, and whether it was converted from Python 2.
+
+    convert: whether it may be.  A program that is neither Python 3 nor converts is one of Python 3 with a mistake: then
+    SyntaxError is raised, with Python 3's own message and line.  So it is where only tabs and spaces are mixed.
+    """
+    if not convert or is_python_3(source.expandtabs(8), name):
+        return compile(source, name, "exec"), False
+    try:
+        code = compiled(source, name)
+    except ConversionError as reason:
+        raise _mistake(source, name, str(reason)) from None
+    prepare()
+    return code, True
+
+
+def _mistake(source: bytes, name: str, reason: str) -> Exception:
+    """Why Python 3 does not take a program; reason: why it was not converted."""
+    try:
+        compile(source, name, "exec")
+    except (SyntaxError, ValueError) as mistake:
+        if reason == NOT_INSTALLED:
+            mistake.add_note(f"If it is Python 2: {reason}")
+        return mistake
+    return SyntaxError(reason)
+
+
 def is_python_3(source: bytes, name: str) -> bool:
+    """Whether a program is one of Python 3, as far as its syntax tells."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -141,7 +170,7 @@ class Characters(bytearray):
         return self.decode("latin-1")
 
     def tolist(self) -> list[str]:
-        return list(self)
+        return list(map(chr, bytes(self)))
 
 
 def _as_bytes(characters: Any) -> bytes:
@@ -158,14 +187,6 @@ OLD_MODULES = {
 }  # fmt: skip
 
 
-def convert_modules(folder: str) -> None:
-    """Modules of Python 2 beside the program, and in folders there, are converted too."""
-    loader = (_Loader, [".py"])
-    sys.path_hooks.insert(0, _only(folder, FileFinder.path_hook(loader)))
-    for path in [path for path in sys.path_importer_cache if _is_beside(folder, path)]:
-        del sys.path_importer_cache[path]
-
-
 @cache
 def prepare() -> None:
     """What Python 2 had elsewhere is found again."""
@@ -179,27 +200,11 @@ def prepare() -> None:
     string.letters = string.ascii_letters  # type: ignore[attr-defined]
 
 
-def _is_beside(folder: str, path: str) -> bool:
-    path = os.path.join(os.path.abspath(path), "")
-    return path.startswith(os.path.join(folder, "")) and "site-packages" not in path
+class ConvertingLoader(SourceFileLoader):
+    """Loads modules of Python 3, and those of Python 2 converted."""
 
-
-def _only(folder: str, hook: Any) -> Any:
-    def limited(path: str) -> Any:
-        if not _is_beside(folder, path):
-            raise ImportError
-        return hook(path)
-
-    return limited
-
-
-class _Loader(SourceFileLoader):
     def source_to_code(self, data: Any, path: Any, *, _optimize: int = -1) -> Any:  # type: ignore[override]
-        source = bytes(data)
-        if is_python_3(source, str(path)):
-            return compile(source, path, "exec")
-        prepare()
-        return compiled(source, str(path))
+        return compiled_program(bytes(data), str(path))[0]
 
     def cache_from_source(self, path: str) -> str:
         raise NotImplementedError  # nothing is written beside the program
@@ -241,9 +246,7 @@ def _driver() -> Any:
         try:
             refactor = import_module("lib2to3.refactor")
         except ImportError:
-            raise ConversionError(
-                "it looks like Python 2: install glsim with `pip install glsim[python2]` to convert it"
-            ) from None
+            raise ConversionError(NOT_INSTALLED) from None
     logging.getLogger("RefactoringTool").setLevel(logging.ERROR)
     package = refactor.__name__.partition(".")[0]
     names = refactor.get_fixers_from_package(f"{package}.fixes")

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import os
-import pickle
 import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from glsim.machine.frame import Accum, Clear, Frame, Packet, QueryMark, Where
+from glsim.machine import archive
+from glsim.machine.frame import Frame, Where
+from glsim.play.capture import capture
 from glsim.scenes import Camera, Lamp, Scene, open_scene
 from glsim.scenes.load import from_trimesh
-from glsim.study.capture import capture
-
-WHOLE = 0x4000 | 0x100  # GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT
 
 
 def frame_of(
@@ -65,8 +63,8 @@ def frame_of_program(
     An error that ends the program is in ``frame.error``, with what was drawn until then.  Raises ValueError if it draws
     nothing.
     """
-    from glsim.study.play import Plan
-    from glsim.study.run import run
+    from glsim.play.plan import Plan
+    from glsim.play.run import run
 
     with tempfile.TemporaryDirectory(prefix="glsim-") as folder:
         target = os.path.join(folder, "frame")
@@ -74,11 +72,13 @@ def frame_of_program(
                     count=True, size=(size, size) if size is not None else None)  # fmt: skip
         record = run(plan, timeout)
         errors = record["errors"]
+        if record["status"] == "interrupted":
+            raise KeyboardInterrupt
         if not os.path.exists(target):
             reasons = [error["error"] for error in errors] or record["notes"]
             reason = "it opens no window" if record["status"] == "no-window" else (reasons or [record["status"]])[0]
             raise ValueError(f"{script} gives no picture: {reason}")
-        frame: Frame = pickle.loads(Path(target).read_bytes())
+        frame = archive.load(target)
     if errors:
         frame.error = errors[0]["error"]
         frame.error_at = Where(str(Path(script).resolve()), errors[0]["line"]) if errors[0]["line"] else None
@@ -117,22 +117,3 @@ def drawer(
         face = named(material)
         scene = replace(scene, material=face, meshes=[replace(m, material=face, colors=None) for m in scene.meshes])
     return scene.name, lambda: scene.draw(size, size)
-
-
-def needed(packets: list[Packet]) -> list[Packet]:
-    """The packets that a picture depends on: not those before a glClear that wipes colour, depth and stencil."""
-    if any(isinstance(packet, (Accum, QueryMark)) for packet in packets):
-        return packets
-    stencil = any(packet.state.stencil.test for packet in packets if not isinstance(packet, QueryMark))
-    for at in range(len(packets) - 1, 0, -1):
-        packet = packets[at]
-        if isinstance(packet, Clear) and _wipes(packet, stencil):
-            return packets[at:]
-    return packets
-
-
-def _wipes(clear: Clear, stencil: bool) -> bool:
-    state = clear.state
-    buffers = WHOLE | (0x400 if stencil else 0)
-    writes = all(state.color_buffer.mask) and state.depth.mask and not state.scissor.test
-    return clear.mask & buffers == buffers and writes and (not stencil or state.stencil.write_mask & 255 == 255)

@@ -5,68 +5,37 @@ Time stands still within a step, random numbers begin the same, and each step's 
 
 from __future__ import annotations
 
+import faulthandler
 import json
 import os
-import pickle
-import random
+import signal
 import sys
 import time
 import traceback
 import types
-from collections.abc import Callable
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, replace
+from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
+import glsim
 from glsim.files import write_atomically
 from glsim.glut.loop import FinishedError, Loop, StepClock, loop
 from glsim.glut.screen import Screen, open_windows
-from glsim.glut.window import Window
-from glsim.machine.frame import Draw, Frame
+from glsim.glut.window import Window, flushed, picture_of
+from glsim.machine import archive
+from glsim.machine.frame import Frame
 from glsim.machine.record import Recorder
-from glsim.study import alias, toolkits
-from glsim.study.frames import needed
-from glsim.study.python2 import ConversionError, compiled, convert_modules, is_python_3, prepare
+from glsim.play import pyopengl, toolkits
+from glsim.play.imports import OwnImports, repeatable_chance, steady_time
+from glsim.play.plan import MADE_BY, Plan, Record
+from glsim.play.python2 import ConvertingLoader, compiled_program
+from glsim.play.reshade import needed, reshaded
+from glsim.render.context import Offscreen, offscreen
 
 MOST_ERRORS = 5  # a program that fails so often is stopped
+MOST_SCREENS = 16  # of glsim.offscreen whose pictures are kept
 PATIENCE = 1.0  # seconds
-MONOTONIC = time.monotonic  # the time module may be replaced
-EPOCH = 1_000_000_000.0  # what time.time() says at the start, in seconds
-
-
-@dataclass
-class Plan:
-    """What to play, and how: one field for each option of ``glsim run``."""
-
-    script: str
-    arguments: list[str] = field(default_factory=list)
-    out: str | None = None
-    frames: int = 1
-    events: list[str] = field(default_factory=list)
-    size: tuple[int, int] | None = None
-    shade: str | None = None
-    lobe: str | None = None
-    window: bool = False
-    real_time: bool = False
-    count: bool = False
-    python2: bool = True
-    result: str | None = None
-    capture: str | None = None  # a file for the last picture's Frame
-    capture_calls: bool = False
-
-
-@dataclass
-class Record:
-    """What happened: the line of JSON that ``glsim run --json`` prints."""
-
-    status: str = "running"
-    frames: int = 0
-    pictures: list[str] = field(default_factory=list)
-    errors: list[dict[str, Any]] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
-    calls: dict[str, int] = field(default_factory=dict)
 
 
 class Player:
@@ -75,8 +44,10 @@ class Player:
     def __init__(self, plan: Plan) -> None:
         self.plan, self.record = plan, Record()
         self.screen: Screen | None = None
-        self.saved = MONOTONIC()
+        self.saved = time.monotonic()
         self.frame: Frame | None = None  # what the first window draws, with plan.capture
+        self.screens = 0  # that the program opened with glsim.offscreen
+        self.unshown: dict[int, Offscreen] = {}
         self.swapped = 0, 0  # its packets and calls at the last swap
         self.script = str(Path(plan.script).resolve())
 
@@ -84,18 +55,12 @@ class Player:
         """Run the program to its end or to the last step."""
         plan = self.plan
         self.screen = open_windows(loop) if plan.window else None
-        if not plan.real_time:
-            clock = StepClock()
-            loop.clock = clock
-            freeze_time(clock)
-            random.seed(0)
-            np.random.seed(0)
         loop.events, loop.fixed_size = plan.events, plan.size
         loop.steps = None if plan.window and plan.frames == 1 else plan.frames
         loop.on_swap = self._swapped
         loop.on_open, loop.on_step, loop.on_error = self._opened, self._after_step, self._failed
-        toolkits.adopt(loop, plan.window)
-        alias.install(self._counted if plan.count else None)
+        glsim.offscreen = self._offscreen
+        pyopengl.install(self._counted if plan.count else None)
         try:
             self._execute()
             if loop.windows and loop.step == 0 and not self.record.errors:
@@ -108,12 +73,25 @@ class Player:
 
     def _execute(self) -> None:
         try:
-            code = self._compiled()
-        except (SyntaxError, ConversionError, OSError, ValueError) as error:
+            code, python2 = compiled_program(Path(self.script).read_bytes(), self.script, self.plan.python2)
+        except (SyntaxError, OSError, ValueError) as error:
             self._failed("reading", error)
             return
+        if python2:
+            loop.text_keys = True
+            self.record.notes.append("converted from Python 2 (--no-python2 switches that off)")
+            print(f"glsim run: {self.plan.script} is Python 2: converted in memory", file=sys.stderr)
+        stand_ins: dict[str, types.ModuleType] = {}
+        if not self.plan.real_time:
+            clock = loop.clock = StepClock()
+            stand_ins = steady_time(lambda: clock.now() / 1000.0, lambda s: clock.advance(1000.0 * s), python2)
+            repeatable_chance()
+        if self.plan.count:
+            stand_ins |= pyopengl.counted_libraries(self._counted)
+        toolkits.adopt(loop, self.plan.window)
+        loader = ConvertingLoader if self.plan.python2 else SourceFileLoader
+        OwnImports(os.path.dirname(self.script), stand_ins, loader).install()
         sys.argv = [self.script, *self.plan.arguments]
-        sys.path[0:0] = [os.path.dirname(self.script)]
         main = types.ModuleType("__main__")
         main.__file__ = self.script
         sys.modules["__main__"] = main
@@ -126,18 +104,34 @@ class Player:
         except Exception as error:
             self._failed("script", error)
 
-    def _compiled(self) -> types.CodeType:
-        source = Path(self.script).read_bytes()
-        if self.plan.python2:
-            convert_modules(os.path.dirname(self.script))
-        if self.plan.python2 and not is_python_3(source, self.script):
-            code = compiled(source, self.script)
-            prepare()
-            loop.text_keys = True
-            self.record.notes.append("converted from Python 2 (--no-python2 switches that off)")
-            print(f"glsim run: {self.plan.script} is Python 2: converted in memory", file=sys.stderr)
-            return code
-        return compile(source, self.script, "exec")
+    # ------------------------------------------------------------ programs that draw into glsim.offscreen
+
+    def _offscreen(self, width: int, height: int, **named: Any) -> Offscreen:
+        """glsim.offscreen as the program gets it: its screens are shown as windows are, if it opens none."""
+        screen = offscreen(width, height, **named)
+        self.screens += 1
+        if self.screens <= MOST_SCREENS:
+            number, release = self.screens, screen.release
+
+            def keep_and_release() -> None:
+                self._show(number, screen)
+                release()
+
+            self.unshown[number] = screen
+            screen.release = keep_and_release  # type: ignore[method-assign]
+            self._watch(screen, (width, height))
+        return screen
+
+    def _show(self, number: int, screen: Offscreen) -> None:
+        """The picture of a screen, once: when the program releases it, or ends."""
+        if self.unshown.pop(number, None) is None or loop.windows:
+            return
+        machine = screen.machine
+        if machine.capturing is not None and machine.capturing is self.frame:
+            self._keep_frame(self.frame, screen)
+        if self.plan.out is not None:
+            self._keep(picture_of(screen, screen.width, screen.height), _name(0, number))
+        self.record.frames = 1
 
     # ------------------------------------------------------------ what the loop reports
 
@@ -156,18 +150,21 @@ class Player:
         print("".join(["Traceback (most recent call last):\n", *traceback.format_list(frames),
                        *traceback.format_exception_only(error)]), file=sys.stderr, end="")  # fmt: skip
         line = next((f.lineno for f in reversed(frames) if f.filename == self.script), getattr(error, "lineno", None))
+        sentence = "; ".join([f"{type(error).__name__}: {error}", *getattr(error, "__notes__", [])])
         kind = "gl-error" if any(c.__name__ == "GLError" for c in type(error).__mro__) else "python-error"
-        self.record.errors.append(
-            {"kind": kind, "where": where, "line": line, "error": f"{type(error).__name__}: {error}"[:400]}
-        )
+        self.record.errors.append({"kind": kind, "where": where, "line": line, "error": sentence[:400]})
         if len(self.record.errors) >= MOST_ERRORS:
             loop.left = True
 
     def _opened(self, window: Window) -> None:
-        machine = window.screen.machine
+        self._watch(window.screen, window.asked)
+
+    def _watch(self, screen: Offscreen, size: tuple[int, int]) -> None:
+        """Shade what a new context draws as the plan says, and capture what the first one draws."""
+        machine = screen.machine
         machine.change = reshaded(self.plan.shade, self.plan.lobe)
         if self.plan.capture is not None and self.frame is None:
-            self.frame = machine.capturing = Frame(*window.asked)
+            self.frame = machine.capturing = Frame(*size)
             if self.plan.capture_calls:
                 machine.record(Recorder(machine, self.frame))
 
@@ -176,22 +173,19 @@ class Player:
         if self.frame is not None and window.screen.machine.capturing is self.frame:
             self.frame.packets[:] = needed(self.frame.packets)
             self.swapped = len(self.frame.packets), len(self.frame.calls)
-        now = MONOTONIC()
+        now = time.monotonic()
         if now - self.saved > PATIENCE:
             self.saved = now
             if self.plan.out is not None and window.shown is not None and window is next(iter(loop.windows.values())):
-                name = f"frame_{loop.step:03d}.png"
-                self._keep(window.shown, name)
+                self._keep(window.shown, _name(loop.step, 1))
                 self.record.frames = max(self.record.frames, loop.step + 1)
                 self._report()
 
     def _after_step(self, played: Loop) -> None:
-        for order, window in enumerate(played.windows.values()):
+        for order, window in enumerate(played.windows.values(), 1):
             if self.plan.out is not None and window.shown is not None:
-                suffix = "" if order == 0 else f"_w{order + 1}"
-                name = f"frame_{played.step - 1:03d}{suffix}.png"
-                self._keep(window.shown, name)
-        self.saved = MONOTONIC()
+                self._keep(window.shown, _name(played.step - 1, order))
+        self.saved = time.monotonic()
         if self.frame is not None and played.step == max(played.steps or 1, 1 + len(played.events)):
             self._keep_frame(self.frame)
         if self.screen is not None:
@@ -203,26 +197,46 @@ class Player:
 
     def _keep(self, picture: Any, name: str) -> None:
         from PIL import Image
+        from PIL.PngImagePlugin import PngInfo
 
-        write_atomically(Path(self.plan.out or ".") / name, lambda place: Image.fromarray(picture).save(place))
+        facts = PngInfo()
+        facts.add_text("Software", MADE_BY)
+        image = Image.fromarray(picture)
+        try:
+            write_atomically(Path(self.plan.out or ".") / name, lambda place: image.save(place, pnginfo=facts))
+        except OSError as error:  # the disk is full, say
+            sentence = f"{name} cannot be written to {self.plan.out}: {error.strerror}"
+            self.record.errors.append({"kind": "python-error", "where": "writing", "line": None, "error": sentence})
+            loop.left = True
+            return
         if name not in self.record.pictures:
             self.record.pictures.append(name)
 
-    def _keep_frame(self, frame: Frame) -> None:
-        """Write the Frame that is shown to plan.capture: of a double-buffered window what was drawn before the swap."""
+    def _keep_frame(self, frame: Frame, screen: Offscreen | None = None) -> None:
+        """Write the Frame that is shown to plan.capture: of a double-buffered window what was drawn before the swap.
+
+        screen: where it was drawn; None for the window that it was drawn in.
+        """
         window = next((w for w in loop.windows.values() if w.screen.machine.capturing is frame), None)
-        if window is None or self.plan.capture is None:
+        screen = window.screen if window is not None else screen
+        if screen is None or self.plan.capture is None:
             return
-        packets, calls = self.swapped if window.double and self.swapped[0] else (None, None)
-        frame.width, frame.height = window.screen.width, window.screen.height
+        if window is None:
+            flushed(screen)
+        packets, calls = self.swapped if window and window.double and self.swapped[0] else (None, None)
+        frame.width, frame.height = screen.width, screen.height
         shown = replace(frame, packets=needed(frame.packets[:packets]), calls=frame.calls[:calls])
-        write_atomically(self.plan.capture, lambda name: Path(name).write_bytes(pickle.dumps(shown)))
+        archive.save(shown, self.plan.capture)
 
     def _finish(self) -> None:
         record = self.record
-        kinds = {error["kind"] for error in record.errors}
         if self.frame is not None and self.plan.capture is not None and not os.path.exists(self.plan.capture):
             self._keep_frame(self.frame)  # the program ended before the last step
+        for number, screen in list(self.unshown.items()):
+            self._show(number, screen)
+        if self.screens > MOST_SCREENS and not loop.windows:
+            record.notes.append(f"pictures of the first {MOST_SCREENS} of {self.screens} screens are kept")
+        kinds = {error["kind"] for error in record.errors}
         if kinds:
             record.status = "gl-error" if "gl-error" in kinds else "python-error"
         else:
@@ -235,6 +249,11 @@ class Player:
             write_atomically(self.plan.result, lambda name: Path(name).write_text(text, encoding="utf-8"))
 
 
+def _name(step: int, window: int) -> str:
+    """The file name of the picture of a window, counted from 1, after a step."""
+    return f"frame_{step:03d}{'' if window == 1 else f'_w{window}'}.png"
+
+
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
@@ -242,59 +261,16 @@ def _is_ours(filename: str) -> bool:
     return filename.startswith((HERE, "<gl command", "<frozen"))
 
 
-def reshaded(shade: str | None, lobe: str | None) -> Callable[[Draw], Draw] | None:
-    """What gives a Draw this mode of study.compare and this lobe, whatever the program says; None if it keeps both."""
-    if shade is None and lobe is None:
-        return None
-    from glsim.study.compare import LOBE, shaded
-
-    def change(draw: Draw) -> Draw:
-        if shade is None:
-            lighting = draw.state.lighting._replace(lobe=LOBE[lobe or "blinn"])
-            return draw.with_state(draw.state._replace(lighting=lighting))
-        mode = "gouraud" if shade == "smooth" else shade
-        return next(shaded(Frame(0, 0, [draw]), mode, lobe or "blinn").draws)
-
-    return change
-
-
-def freeze_time(clock: StepClock) -> None:
-    """The time module and datetime follow the clock of the steps."""
-    import datetime
-
-    real = {name: getattr(time, name) for name in ("gmtime", "localtime", "ctime", "strftime")}
-
-    def seconds() -> float:
-        return clock.now() / 1000.0
-
-    def now() -> float:
-        return EPOCH + seconds()
-
-    time.time = now
-    time.time_ns = lambda: int(now() * 1e9)
-    time.perf_counter = time.monotonic = time.process_time = seconds
-    time.sleep = lambda s, /: clock.advance(float(s) * 1000.0)
-    for name in ("gmtime", "localtime", "ctime"):
-        setattr(time, name, lambda s=None, f=real[name]: f(now() if s is None else s))
-    time.strftime = lambda form, t=None: real["strftime"](form, time.localtime() if t is None else t)
-
-    class Datetime(datetime.datetime):
-        @classmethod
-        def now(cls, tz: Any = None) -> Any:
-            return cls.fromtimestamp(time.time(), tz)
-
-        today = utcnow = now
-
-    datetime.datetime = Datetime  # type: ignore[misc]
-
-
 def main() -> None:
-    """python -m glsim.study.play PLAN, with the plan as JSON."""
+    """python -m glsim.play.player PLAN, with the plan as JSON."""
     given = json.loads(sys.argv[1])
     if given.get("size"):
         given["size"] = tuple(given["size"])
+    plan = Plan(**given)
+    if plan.stack is not None and hasattr(faulthandler, "register"):
+        faulthandler.register(signal.SIGUSR2, open(plan.stack, "w"), all_threads=False)  # noqa: SIM115
     try:
-        Player(Plan(**given)).play()
+        Player(plan).play()
     except RuntimeError as error:  # no display, no graphics library
         print(f"glsim run: {error}", file=sys.stderr)
         sys.stderr.flush()

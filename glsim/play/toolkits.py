@@ -17,7 +17,7 @@ from glsim.glut.loop import Loop
 from glsim.glut.window import Window
 
 WINDOW = "--window is for programs that open their window with GLUT; run one of pygame or glfw without it"
-DOUBLE = int(NAMES["GLUT_DOUBLE"])
+BUFFERS = int(NAMES["GLUT_DOUBLE"] | NAMES["GLUT_DEPTH"] | NAMES["GLUT_STENCIL"])
 
 
 def adopt(loop: Loop, real_windows: bool) -> None:
@@ -91,7 +91,7 @@ class _Pygame:
         named.pop("vsync", None)
         surface = self.set_mode((width, height), flags & ~(pygame.OPENGL | pygame.DOUBLEBUF), *rest, **named)
         if self.window is None:
-            self.loop.open("pygame", (0, 0), (width, height), DOUBLE, None)
+            self.loop.open("pygame", (0, 0), (width, height), BUFFERS, None)
             self.window = self.loop.current
         else:
             self.window.asked = int(width), int(height)
@@ -193,7 +193,7 @@ class _Glfw:
     def create_window(self, width: int, height: int, title: str, monitor: Any = None, share: Any = None) -> int:
         if self.real_windows:
             raise RuntimeError(WINDOW)
-        return self.loop.open(str(title), (0, 0), (int(width), int(height)), DOUBLE, None)
+        return self.loop.open(str(title), (0, 0), (int(width), int(height)), BUFFERS, None)
 
     def destroy_window(self, window: int) -> None:
         self.loop.close(window)

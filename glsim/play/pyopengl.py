@@ -7,7 +7,7 @@ Modules that exist here stand in for OpenGL.GL, GLU, GLUT, error, arrays and a f
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from importlib import import_module
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from glsim.machine.constants import Enum
+from glsim.play.starnames import Later, later_names, star_names
 
 SUFFIXES = ("ARB", "EXT", "SGIS", "SGI", "NV", "ATI", "HP", "IBM", "WIN", "MESA", "APPLE")
 Wrap = Callable[[str, Any], Any]
@@ -46,71 +47,44 @@ class _Finder(MetaPathFinder, Loader):
     def exec_module(self, module: ModuleType) -> None:
         module.__file__ = f"<glsim for {module.__name__}>"
         known = CONTENT.get(module.__name__)
-        content = known() if known is not None else _extension(module.__name__)
-        names = content.get("__all__")
-        for name, value in content.items():
-            public = name.startswith(("gl", "glu", "glut")) and callable(value)
-            counted = public and not isinstance(value, (type, Later))
-            module.__dict__[name] = self.wrap(name, value) if counted else value
-        if names is not None:
-            module.__dict__["__all__"] = list(names)
+        fill(module, known() if known is not None else _extension(module.__name__), self.wrap)
+
+
+def fill(module: ModuleType, content: Mapping[str, Any], wrap: Wrap) -> None:
+    """Put names into a module, commands wrapped."""
+    for name, value in content.items():
+        public = name.startswith("gl") and callable(value) and not isinstance(value, (type, Later))
+        module.__dict__[name] = wrap(name, value) if public else value
+    if "__all__" in content:
+        module.__dict__["__all__"] = list(content["__all__"])
+
+
+def counted_libraries(wrap: Wrap) -> dict[str, ModuleType]:
+    """glsim.gl, glu and glut with every command wrapped."""
+    libraries = {}
+    for name in ("glsim.gl", "glsim.glu", "glsim.glut"):
+        libraries[name] = ModuleType(name)
+        fill(libraries[name], vars(import_module(name)), wrap)
+    return libraries
+
+
+def _commands(which: str) -> dict[str, Any]:
+    """Commands and constants of glsim.gl, glu or glut."""
+    module: Any = import_module(f"glsim.{which.lower()}")
+    return {name: getattr(module, name) for name in module.__all__}
 
 
 def _library(which: str) -> dict[str, Any]:
-    module: Any = import_module(f"glsim.{which.lower()}")
-    content = {name: getattr(module, name) for name in module.__all__}
-    content["__all__"] = list(module.__all__)
-    if which != "GL":
-        if which == "GLUT":
-            content["as_8_bit"] = _bytes()["as_8_bit"]
-            content["__all__"] += ["as_8_bit"]
-        return content
-    content.update({name: Later(name) for name in LATER.split()})
-    content.update({name: Enum(name, int(value)) for name, value in pairs(LATER_VALUES.split())})
-    content["__all__"] = [name for name in content if name != "__all__"]
-    content.update(_errors())
-    content["__all__"] += ["GLerror", "arrays"]
-    content["arrays"] = import_module("OpenGL.arrays")
+    """All that the star import of OpenGL.GL, GLU or GLUT gives, with the list of its names."""
+    content = _commands(which)
+    constants = vars(import_module("glsim.gl")) | later_names()
+    if which == "GL":
+        content = {**later_names(), **content, "as_8_bit": _bytes()["as_8_bit"]}
+    elif which == "GLUT":
+        content["as_8_bit"] = _bytes()["as_8_bit"]
+    content.update(star_names(which, constants, _errors()))
+    content["__all__"] = list(content)
     return content
-
-
-class Later:
-    """A command of OpenGL 2 or later: false, so that programs can ask for it, and an error when it is called."""
-
-    def __init__(self, name: str) -> None:
-        self.__name__ = name
-
-    def __bool__(self) -> bool:
-        return False
-
-    def __call__(self, *arguments: Any, **named: Any) -> Any:
-        raise RuntimeError(f"{self.__name__} is OpenGL 2 or later; glsim emulates the fixed function of OpenGL 1.5")
-
-
-LATER = """
-glCreateShader glShaderSource glCompileShader glGetShaderiv glGetShaderInfoLog glDeleteShader glCreateProgram
-glAttachShader glDetachShader glLinkProgram glValidateProgram glGetProgramiv glGetProgramInfoLog glDeleteProgram
-glUseProgram glGetUniformLocation glGetAttribLocation glBindAttribLocation glUniform1f glUniform2f glUniform3f
-glUniform4f glUniform1i glUniform2i glUniform3i glUniform4i glUniform1fv glUniform2fv glUniform3fv glUniform4fv
-glUniformMatrix3fv glUniformMatrix4fv glVertexAttribPointer glEnableVertexAttribArray glDisableVertexAttribArray
-glVertexAttrib1f glVertexAttrib2f glVertexAttrib3f glVertexAttrib4f glDrawBuffers glBlendEquationSeparate
-glStencilFuncSeparate glStencilOpSeparate glStencilMaskSeparate glGenFramebuffers glBindFramebuffer
-glDeleteFramebuffers glFramebufferTexture2D glFramebufferRenderbuffer glCheckFramebufferStatus glGenRenderbuffers
-glBindRenderbuffer glDeleteRenderbuffers glRenderbufferStorage glGenerateMipmap glBlitFramebuffer glGenVertexArrays
-glBindVertexArray glDeleteVertexArrays glMapBufferRange glClampColor glTexBuffer glDrawArraysInstanced
-glDrawElementsInstanced glFenceSync
-"""
-LATER_VALUES = """
-GL_VERTEX_SHADER 35633 GL_FRAGMENT_SHADER 35632 GL_GEOMETRY_SHADER 36313 GL_COMPILE_STATUS 35713 GL_LINK_STATUS 35714
-GL_FRAMEBUFFER 36160 GL_RENDERBUFFER 36161 GL_COLOR_ATTACHMENT0 36064
-GL_DEPTH_ATTACHMENT 36096 GL_FRAMEBUFFER_COMPLETE 36053 GL_POINT_SPRITE 34913 GL_COORD_REPLACE 34914
-GL_VERTEX_PROGRAM_POINT_SIZE 34370 GL_RGBA32F 34836 GL_RGBA16F 34842 GL_RGB32F 34837 GL_MAX_TEXTURE_IMAGE_UNITS 34930
-GL_MAX_SAMPLES 36183 GL_DEPTH_STENCIL 34041 GL_DEPTH24_STENCIL8 35056 GL_PIXEL_PACK_BUFFER 35051 GL_RG 33319 GL_R8 33321
-"""
-
-
-def pairs(words: Sequence[str]) -> Iterator[tuple[str, str]]:
-    return zip(words[::2], words[1::2], strict=True)
 
 
 def _errors() -> dict[str, Any]:
@@ -160,7 +134,7 @@ THERE = {
 ARRAYS: Mapping[str, type] = {
     "GLfloatArray": np.float32, "GLdoubleArray": np.float64, "GLintArray": np.int32, "GLuintArray": np.uint32,
     "GLubyteArray": np.uint8, "GLbyteArray": np.int8, "GLshortArray": np.int16, "GLushortArray": np.uint16,
-    "ArrayDatatype": np.float32,
+    "GLenumArray": np.uint32, "ArrayDatatype": np.float32,
 }  # fmt: skip
 
 
@@ -241,6 +215,13 @@ def _arrays() -> dict[str, Any]:
     return {"vbo": import_module("OpenGL.arrays.vbo"), **{name: _Array(dtype) for name, dtype in ARRAYS.items()}}
 
 
+def _has_extension(name: Any) -> bool:
+    """OpenGL.extensions.hasGLExtension: whether glGetString(GL_EXTENSIONS) names it."""
+    gl: Any = import_module("glsim.gl")
+    wanted = name if isinstance(name, bytes) else str(name).encode()
+    return wanted in gl.glGetString(gl.GL_EXTENSIONS).split()
+
+
 def _bytes() -> dict[str, Any]:
     def as_8_bit(text: Any) -> bytes:
         return text if isinstance(text, bytes) else str(text).encode("latin-1")
@@ -259,20 +240,30 @@ CONTENT: dict[str, Callable[[], dict[str, Any]]] = {
     "OpenGL.GL": lambda: _library("GL"),
     "OpenGL.GLU": lambda: _library("GLU"),
     "OpenGL.GLUT": lambda: _library("GLUT"),
-    "OpenGL.GLUT.freeglut": lambda: _library("GLUT"),
-    "OpenGL.GLUT.fonts": lambda: _library("GLUT"),
-    "OpenGL.GLUT.special": lambda: _library("GLUT"),
+    "OpenGL.GLUT.freeglut": lambda: _commands("GLUT"),
+    "OpenGL.GLUT.fonts": lambda: _commands("GLUT"),
+    "OpenGL.GLUT.special": lambda: _commands("GLUT"),
     "OpenGL.error": lambda: _errors(),
-    "OpenGL.constants": lambda: {k: v for k, v in _library("GL").items() if k.startswith("GL")},
+    "OpenGL.constants": lambda: {k: v for k, v in _commands("GL").items() if k.startswith("GL")},
     "OpenGL.arrays": _arrays,
     "OpenGL.arrays.vbo": lambda: {"VBO": VBO},
     "OpenGL.arrays.numpymodule": dict,
     "OpenGL.platform": lambda: {"PLATFORM": None, "GetCurrentContext": lambda: 1},
     "OpenGL.GL.shaders": lambda: dict.fromkeys(("compileShader", "compileProgram", "ShaderProgram"), _no_shaders),
-    "OpenGL.GL.VERSION": dict,
+    "OpenGL.extensions": lambda: dict.fromkeys(("hasExtension", "hasGLExtension"), _has_extension),
     "OpenGL._bytes": _bytes,
-    "OpenGL.images": dict,
-    "OpenGL.plugins": dict,
+    "OpenGL.constant": lambda: {"Constant": Enum, "IntConstant": Enum},
+    # modules of PyOpenGL itself, from which programs take nothing
+    **dict.fromkeys(
+        (
+            "OpenGL.images", "OpenGL.plugins", "OpenGL.wrapper", "OpenGL.converters", "OpenGL.contextdata",
+            "OpenGL.logs", "OpenGL.GL.VERSION", "OpenGL.GL.pointers", "OpenGL.GL.images", "OpenGL.GL.exceptional",
+            "OpenGL.GL.glget", "OpenGL.GL.vboimplementation", "OpenGL.GL.KHR", "OpenGL.GLU.quadrics",
+            "OpenGL.GLU.projection", "OpenGL.GLU.glustruct", "OpenGL.GLU.glunurbs", "OpenGL.GLU.tess",
+            "OpenGL.GLUT.osx",
+        ),
+        dict,
+    ),
 }  # fmt: skip
 for _version in ("GL_1_0", "GL_1_1", "GL_1_2", "GL_1_3", "GL_1_4", "GL_1_5"):
     CONTENT[f"OpenGL.GL.VERSION.{_version}"] = CONTENT["OpenGL.GL"]

@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+import numpy as np
+
+from glsim.machine.constants import GL_TRIANGLES
 from glsim.machine.current import current_machine
-from glsim.machine.frame import Frame
+from glsim.machine.frame import ROW, Draw, Frame, Vertices
 from glsim.machine.record import Recorder
 
 
@@ -37,13 +40,17 @@ def capture(calls: bool = False) -> Iterator[Frame]:
 
 
 def program_source(stage: str | None = None) -> str:
-    """The exact GLSL that the present state maps to: the key as constants, then the sources of shaders/.
+    """The exact GLSL that the present state maps to, for filled triangles: the key as constants, then the sources of
+    shaders/.
 
     stage: "vertex" or "fragment"; None gives both, each under a comment line.  Raises ValueError for another stage.
     """
-    from glsim.render.programs import program_key, sources
+    from glsim.render.programs import draw_key, sources
 
-    text = sources(program_key(current_machine().snapshot()))
+    machine = current_machine()
+    nothing = Vertices(np.empty((0, ROW), np.float32), {}, [])
+    triangles = Draw(GL_TRIANGLES, 0, 0, None, machine.matrices(), machine.material, machine.snapshot(), nothing)
+    text = sources(draw_key(triangles))
     if stage is None:
         return "\n".join(f"// ---- {name} shader\n{source}" for name, source in text.items())
     if stage not in text:

@@ -1,0 +1,51 @@
+"""Results that are kept for the next call, as long as they do not take too much memory."""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, TypeVar
+
+import numpy as np
+
+R = TypeVar("R")
+
+
+def size_of(value: Any) -> int:
+    """Bytes of the arrays in it."""
+    if isinstance(value, np.ndarray):
+        return value.nbytes
+    return sum(map(size_of, value)) if isinstance(value, tuple) else 0
+
+
+def kept(most: int) -> Callable[[Callable[..., R]], Callable[..., R]]:
+    """Like functools.lru_cache, but with a limit for the bytes of the arrays that are kept; a result of more than a
+    quarter of it is not kept."""
+
+    def decorate(function: Callable[..., R]) -> Callable[..., R]:
+        results: OrderedDict[tuple[Any, ...], tuple[R, int]] = OrderedDict()
+        lock = threading.Lock()
+        total = 0
+
+        @wraps(function)
+        def call(*arguments: Any) -> R:
+            nonlocal total
+            with lock:
+                if arguments in results:
+                    results.move_to_end(arguments)
+                    return results[arguments][0]
+            value = function(*arguments)
+            size = size_of(value) + 1024  # and what Python needs
+            with lock:
+                if size <= most // 4 and arguments not in results:
+                    results[arguments] = value, size
+                    total += size
+                while total > most:
+                    total -= results.popitem(last=False)[1][1]
+            return value
+
+        return call
+
+    return decorate

@@ -1,0 +1,1 @@
+"""Running programs as they are, and shading anew what they draw."""

@@ -1,0 +1,43 @@
+"""What to play, and what happened: what ``glsim run`` and the process of the program tell each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+PICTURE = r"frame_\d{3,}(_w\d+)?\.png"  # names of the pictures
+MADE_BY = "glsim run"  # what their PNG chunk "Software" says
+
+
+@dataclass
+class Plan:
+    """What to play, and how: one field for each option of ``glsim run``."""
+
+    script: str
+    arguments: list[str] = field(default_factory=list)
+    out: str | None = None
+    frames: int = 1
+    events: list[str] = field(default_factory=list)
+    size: tuple[int, int] | None = None
+    shade: str | None = None
+    lobe: str | None = None
+    window: bool = False
+    real_time: bool = False
+    count: bool = False
+    python2: bool = True
+    result: str | None = None  # a file for the Record
+    stack: str | None = None  # a file for where the program is when its time is up
+    capture: str | None = None  # a file for the last picture's Frame
+    capture_calls: bool = False
+
+
+@dataclass
+class Record:
+    """What happened: the line of JSON that ``glsim run --json`` prints."""
+
+    status: str = "running"
+    frames: int = 0
+    pictures: list[str] = field(default_factory=list)
+    errors: list[dict[str, Any]] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    calls: dict[str, int] = field(default_factory=dict)
