@@ -98,7 +98,7 @@ def show(value: object) -> str:
         if value.bit_length() > 64:
             return f"a number of {value.bit_length()} bits"
         return f"{value} (0x{value:X})" if value > 255 else str(value)
-    array: Any = value if hasattr(value, "shape") and hasattr(value, "tolist") else None
+    array: Any = value if hasattr(value, "dtype") and hasattr(value, "tolist") else None
     text = repr(value) if array is None else repr(array.tolist())
     if array is not None and array.size > 4:
         text = f"an array of shape {array.shape}"

@@ -13,8 +13,8 @@ import numpy as np
 
 import glsim
 from glsim import gl
+from glsim.play.capture import capture
 from glsim.render.native import Native
-from glsim.study.capture import capture
 from tests.oracle.author import Author
 from tests.oracle.measure import Difference, measure
 from tests.oracle.programs import ball
