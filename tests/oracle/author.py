@@ -14,7 +14,7 @@ AVOIDED = {
     "rectangles, quads and polygons with lighting or sphere maps": "how they are cut is not specified",
     "several blended layers, factors of the source but the usual two": "each rounds to 8 bits again",
     "GL_DOT3_RGB and scales of 4": "they make four units of one unit of rounding",
-    "mipmaps with sphere maps": "how steep they are near the silhouette is not specified exactly",
+    "mipmaps in perspective and with sphere maps": "the level of detail is not specified exactly",
     "the same triangle twice": "its depth may differ in the last bit from another corner on",
     "pixel zooms whose edges meet pixel centres": "Mesa draws those on the left edge as the column before",
     "alpha test and logic op on colours that vary": "one unit of rounding decides about a whole pixel",
@@ -31,6 +31,7 @@ AVOIDED = {
     "attributes and materials first set after the first vertex": "in lists, Mesa gives them to the vertices before",
     "several kinds of vertices in a list": "Mesa gives attributes of later primitives to earlier ones",
     "zoomed pixel rectangles at fractions of a pixel": "Mesa rounds the raster position first",
+    "surfaces in the same plane": "the last bit decides which is in front",
     "surfaces seen edge-on, outlines of triangles without area": "the last bit decides which side is seen",
     "outlines in several colours": "where two edges meet the last bit decides which is seen",
     "the current colour after GL_COMPILE_AND_EXECUTE": "Mesa does not keep it; programs set it again",
@@ -153,8 +154,9 @@ class Author(States):
         if self.lit or self.curved:
             return self.sphere()
         first = len(self.lines)
-        self.say(f"glColor4f({self.color()})")
+        self.say(f"glColor4f({self.color()})", "glPushMatrix()", f"glTranslatef(0, 0, {self.number(-0.5, 0.5)})")
         self.say(f"glRect{self.pick(['f', 'd'])}({self.numbers(2, -1, 0)}, {self.numbers(2, 0, 1)})")
+        self.say("glPopMatrix()")
         self.join(first)
 
     def arrays(self) -> None:

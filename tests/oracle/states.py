@@ -127,6 +127,8 @@ class States:
     # ------------------------------------------------------------ states
 
     def lighting(self) -> None:
+        if self.lit:
+            return
         self.lit = True
         self.say(f"glEnable(GL_LIGHTING); glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, {self.number(1, 60)})")
         for light in self.random.sample(range(8), self.random.randint(1, 3)):
@@ -186,7 +188,7 @@ class States:
         internal = self.pick(list(FORMATS))
         format, components = FORMATS[internal]
         self.say(f"glBindTexture({target}, {len(self.units) + 1})")
-        mipmaps = target != "GL_TEXTURE_3D" and self.chance(0.3)
+        mipmaps = target != "GL_TEXTURE_3D" and not self.perspective and self.chance(0.3)
         if mipmaps:
             self.say(f"glTexParameteri({target}, GL_GENERATE_MIPMAP, GL_TRUE)")
         width, height = self.random.choice([(8, 8), (16, 4), (4, 4), (4, 16)])
