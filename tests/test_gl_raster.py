@@ -193,3 +193,25 @@ def test_a_list_is_called_after_the_context_was_reset(screen: glsim.Offscreen) -
     glEndList()
     screen.reset()
     assert not glIsList(5)
+
+
+def test_numbers_larger_than_any_picture(screen: glsim.Offscreen) -> None:
+    """Drawing with them goes on; drivers add such numbers in 32 bits."""
+    huge = 10**400
+    glViewport(huge, -huge, 8, 8)
+    glScissor(huge, 0, 1, 1)
+    glLineWidth(float("inf"))
+    glStencilFunc(float(GL_LESS), 1, 1)
+    glEnable(GL_STENCIL_TEST)
+    glBegin(GL_LINES)
+    glVertex2f(-1, -1)
+    glVertex2f(1, 1)
+    glEnd()
+    glCopyPixels(2**31 - 1, 2**31 - 1, 4, 4, GL_COLOR)
+    assert not screen.pixels().any()
+    screen.reset()
+    glClearColor(1, 0, 0, 1)
+    glClear(GL_COLOR_BUFFER_BIT)
+    pixels = screen.machine.device.read(-2, screen.height - 1, 4, 3, "color")
+    assert np.array_equal(pixels[..., 0], [[0, 0, 255, 255], [0, 0, 0, 0], [0, 0, 0, 0]])
+    assert not screen.machine.device.read(2**31 - 1, 0, 2, 2, "color").any()

@@ -182,7 +182,10 @@ def test_no_context_in_a_glut_program(monkeypatch: pytest.MonkeyPatch) -> None:
         glEnable(GL_LIGHTING)
 
 
-def test_no_context() -> None:
+def test_no_context(monkeypatch: pytest.MonkeyPatch) -> None:
+    from glsim.machine.errors import NoContextError
+
+    monkeypatch.setattr(NoContextError, "uses_glut", False)  # other tests call glutInit
     make_current(None)
     with pytest.raises(RuntimeError, match=r"no context is current: call glsim.offscreen"):
         glBegin(GL_POINTS)

@@ -82,6 +82,11 @@ def matrix16(values: Any) -> NDArray[np.float32]:
     return array.reshape(4, 4).copy()
 
 
+def whole(value: float) -> int:
+    """As an integer of 32 bits, which is as large as a C program can pass."""
+    return min(max(int(value), -(2**31)), 2**31 - 1)
+
+
 def unit(value: float) -> float:
     """Clamped to [0, 1]."""
     return min(max(float(value), 0.0), 1.0)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
-from functools import cache
+from functools import cache, wraps
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,7 @@ from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
 from glsim.machine.errors import GLError, show
-from glsim.machine.sentences import MISUSE, explained
+from glsim.machine.sentences import MISUSE, explained, is_a_sentence
 from glsim.machine.types import SUFFIXES
 
 Function = Callable[..., Any]
@@ -255,4 +255,19 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
     made["glGetPolygonStippleub"] = lambda: np.frombuffer(functions["glGetPolygonStipple"](), np.uint8)
     for name, function in made.items():
         function.__name__ = function.__qualname__ = name
-    return {name: explained(name, function) for name, function in made.items()}
+    return {name: explained(name, _of_arrays(function)) for name, function in made.items()}
+
+
+def _of_arrays(function: Function) -> Function:
+    """The function with a sentence where NumPy has no use for its last argument."""
+
+    @wraps(function)
+    def call(*arguments: Any, **named: Any) -> Any:
+        try:
+            return function(*arguments, **named)
+        except MISUSE as error:
+            if is_a_sentence(error) or not arguments:
+                raise
+            raise TypeError(f"an array of numbers is needed, not {show(arguments[-1])}") from None
+
+    return call

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from glsim.gl.arguments import exactly, numbers, unit
+from glsim.gl.arguments import exactly, numbers, unit, whole
 from glsim.machine.constants import (
     GL_ACCUM,
     GL_ACCUM_BUFFER_BIT,
@@ -121,7 +121,7 @@ def glFog(m: Machine, pname: int, params: Any) -> None:
 def glScissor(m: Machine, x: int, y: int, width: int, height: int) -> None:
     if width < 0 or height < 0:
         raise invalid_value("width and height", (width, height), "at least 0")
-    m.scissor = m.scissor._replace(x=int(x), y=int(y), width=int(width), height=int(height))
+    m.scissor = m.scissor._replace(x=whole(x), y=whole(y), width=whole(width), height=whole(height))
 
 
 def glSampleCoverage(m: Machine, value: float, invert: bool) -> None:
@@ -136,7 +136,7 @@ def glAlphaFunc(m: Machine, func: int, ref: float) -> None:
 def glStencilFunc(m: Machine, func: int, ref: int, mask: int) -> None:
     _check_func(func)
     reference = min(max(int(ref), 0), 255)
-    m.stencil = m.stencil._replace(func=func, reference=reference, value_mask=int(mask) & 0xFFFFFFFF)
+    m.stencil = m.stencil._replace(func=int(func), reference=reference, value_mask=int(mask) & 0xFFFFFFFF)
 
 
 STENCIL_OPERATIONS = (GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from glsim.gl.arguments import exactly, matrix16, unit
+from glsim.gl.arguments import exactly, matrix16, unit, whole
 from glsim.machine import matrix
 from glsim.machine.constants import GL_CLIP_PLANE0, GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE
 from glsim.machine.errors import invalid_enum, invalid_value, stack_overflow, stack_underflow
@@ -102,7 +102,7 @@ def glViewport(m: Machine, x: int, y: int, width: int, height: int) -> None:
         raise invalid_value("width and height", (width, height), "at least 0")
     largest = 16384
     size = min(int(width), largest), min(int(height), largest)
-    m.viewport = m.viewport._replace(x=int(x), y=int(y), width=size[0], height=size[1])
+    m.viewport = m.viewport._replace(x=whole(x), y=whole(y), width=size[0], height=size[1])
 
 
 def glDepthRange(m: Machine, zNear: float, zFar: float) -> None:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import sys
 import warnings
 from collections.abc import Iterable
 
 from glsim.glu.constants import NAMES
+from glsim.machine.sentences import PACKAGE
 
 
 class GLUError(Exception):
@@ -24,8 +26,12 @@ class GLUWarning(UserWarning):
 
 
 def warn(code: int, sentence: str) -> None:
-    """Say what GLU would not: the call has no effect, and the program goes on."""
-    warnings.warn(f"{sentence} ({STRINGS.get(code, code)}); the call has no effect", GLUWarning, stacklevel=5)
+    """Say what GLU would not, of the program's line: the call has no effect, and the program goes on."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_code.co_filename.startswith(PACKAGE):
+        level, frame = level + 1, frame.f_back
+    sentence = f"{sentence} ({STRINGS.get(code, code)}); the call has no effect"
+    warnings.warn(sentence, GLUWarning, stacklevel=level)
 
 
 def one_of(choices: Iterable[int]) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -95,11 +94,10 @@ def show(value: object) -> str:
         if value.bit_length() > 64:
             return f"a number of {value.bit_length()} bits"
         return f"{value} (0x{value:X})" if value > 255 else str(value)
-    shape = getattr(value, "shape", None)
-    if isinstance(shape, tuple) and hasattr(value, "tolist"):  # an array of NumPy
-        text = repr(value.tolist()) if math.prod(shape) <= 4 else f"an array of shape {shape}"
-    else:
-        text = repr(value)
+    array: Any = value if hasattr(value, "dtype") and hasattr(value, "tolist") else None
+    text = repr(value) if array is None else repr(array.tolist())
+    if array is not None and array.size > 4:
+        text = f"an array of shape {array.shape}"
     return text if len(text) <= 60 else text[:57] + "..."
 
 

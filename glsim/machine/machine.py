@@ -305,7 +305,7 @@ class Machine:
             packets, self.packets, self.waiting = self.packets, [], 0
             try:
                 vertices = self.take_vertices()
-            except (TypeError, ValueError):
+            except (TypeError, ValueError, OverflowError):
                 self._drop_tracks()
                 raise TypeError(
                     "a texture coordinate, secondary color, fog coordinate or edge flag was no number;"

@@ -155,7 +155,10 @@ class ListRecorder:
             self.clients[len(self.calls)] = copied(self.machine)
         if name in PIXEL_CALLS:
             self.stores[len(self.calls)] = self.machine.unpack_store
-        self.calls.append((name, with_indices(self.machine, name, arguments)))
+        try:
+            self.calls.append((name, with_indices(self.machine, name, arguments)))
+        except Exception as error:
+            raise explain(error, name, arguments) from None
         return self._perform(name, arguments) if self.execute else None
 
     def _perform(self, name: str, arguments: tuple[Any, ...]) -> Any:

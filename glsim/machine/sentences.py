@@ -91,7 +91,7 @@ def _kinds_of(function: Callable[..., Any], count: int) -> Kinds:
 def _begun_with(name: str, error: Exception) -> Exception:
     """The same exception with the call's name in front of its sentence."""
     begin, colon, rest = str(error).partition(": ")
-    if begin != name:
+    if begin != name and not begin.startswith(f"{name} "):
         error.args = (f"{name}: {rest if colon and related(begin, name) else error}",)
     return error
 

@@ -255,7 +255,18 @@ class Offscreen:
         self._resolve()
         self._resolved.use()
         self._raw.glPixelStorei(GL_PACK_ALIGNMENT, 1)
-        self._raw.glReadPixels(x, y, width, height, format, kind, pixels.ctypes.data)
+        left, bottom = max(x, 0), max(y, 0)  # drivers add x and width in 32 bits, and may crash where that is too much
+        right, top = min(x + width, self.width), min(y + height, self.height)
+        if left >= right or bottom >= top:
+            return pixels
+        part = (
+            pixels
+            if (right - left, top - bottom) == (width, height)
+            else np.zeros_like(pixels, shape=(top - bottom, right - left, *pixels.shape[2:]))
+        )
+        self._raw.glReadPixels(left, bottom, right - left, top - bottom, format, kind, part.ctypes.data)
+        if part is not pixels:
+            pixels[bottom - y : top - y, left - x : right - x] = part
         return pixels
 
     def _reread(self, x: int, y: int, width: int, height: int, what: str) -> NDArray[Any]:

@@ -14,6 +14,7 @@ from glsim.machine.state import Material, Snapshot
 from glsim.render.batch import assembled
 
 Float = NDArray[np.float32]
+MOST = 4096.0  # pixels beyond the viewport that are drawn
 
 
 def line_width(state: Snapshot) -> float:
@@ -39,7 +40,8 @@ def margin(state: Snapshot, corners: int) -> int:
     """
     if corners == 3 or (corners == 2 and not widened(state)):
         return 0
-    return int(np.ceil((point_size(state) if corners == 1 else line_width(state)) / 2.0)) + 1
+    extent = point_size(state) if corners == 1 else line_width(state)
+    return int(np.ceil(min(extent, MOST) / 2.0)) + 1
 
 
 def positions(block: Vertices, chosen: NDArray[np.uint32]) -> Float:

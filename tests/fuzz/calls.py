@@ -100,7 +100,7 @@ def accepted(name: str, error: BaseException) -> str:
     names = "gl[A-Z]\\w+" if name.startswith("glCallList") else f"{name}v?"  # what is called; glGetFloat is glGetFloatv
     if not re.match(f"{names}: ", sentence):
         return "without the command's name"
-    said = re.split(r", not |do not go together|not enough memory for", sentence)[
+    said = re.split(r", not |made of numbers|do not go together|not enough memory for", sentence)[
         0
     ]  # then come the program's own values
     return "foreign words" if TELLTALES.search(said) else ""

@@ -127,6 +127,8 @@ class States:
     # ------------------------------------------------------------ states
 
     def lighting(self) -> None:
+        if self.lit:
+            return
         self.lit = True
         self.say(f"glEnable(GL_LIGHTING); glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, {self.number(1, 60)})")
         for light in self.random.sample(range(8), self.random.randint(1, 3)):
@@ -186,7 +188,7 @@ class States:
         internal = self.pick(list(FORMATS))
         format, components = FORMATS[internal]
         self.say(f"glBindTexture({target}, {len(self.units) + 1})")
-        mipmaps = target != "GL_TEXTURE_3D" and self.chance(0.3)
+        mipmaps = target != "GL_TEXTURE_3D" and not self.perspective and self.chance(0.3)
         if mipmaps:
             self.say(f"glTexParameteri({target}, GL_GENERATE_MIPMAP, GL_TRUE)")
         width, height = self.random.choice([(8, 8), (16, 4), (4, 4), (4, 16)])
@@ -213,7 +215,7 @@ class States:
         self.say(f"glEnable({target})")
         self.units.append(target)
         if self.chance(0.3):
-            self.generators(target)
+            self.generators(target, mipmaps)
         if self.chance(0.2):
             self.transform()
             self.lines[-1] = f"glMatrixMode(GL_TEXTURE); {self.lines[-1]}; glMatrixMode(GL_MODELVIEW)"
@@ -242,7 +244,7 @@ class States:
         if mode != "GL_COMBINE":
             return
         functions = ["GL_REPLACE", "GL_MODULATE", "GL_ADD", "GL_ADD_SIGNED", "GL_INTERPOLATE", "GL_SUBTRACT"]
-        self.say(f"glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, {self.pick([*functions, 'GL_DOT3_RGB', 'GL_DOT3_RGBA'])})")
+        self.say(f"glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, {self.pick(functions)})")
         self.say(f"glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, {self.pick(functions)})")
         for k in range(3):
             source = self.pick(["GL_TEXTURE", "GL_CONSTANT", "GL_PRIMARY_COLOR", "GL_PREVIOUS"])
@@ -251,12 +253,12 @@ class States:
             self.say(f"glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND{k}_RGB, {self.pick(operands)})")
             self.say(f"glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND{k}_ALPHA, {self.pick(operands[2:])})")
         if self.chance(0.3):
-            self.say(f"glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, {self.pick(['1', '2', '4'])})")
+            self.say(f"glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, {self.pick(['1', '2'])})")
 
-    def generators(self, target: str) -> None:
-        modes = ["GL_OBJECT_LINEAR", "GL_EYE_LINEAR", "GL_SPHERE_MAP"]
-        if target == "GL_TEXTURE_CUBE_MAP":
-            modes = ["GL_OBJECT_LINEAR", "GL_EYE_LINEAR"]
+    def generators(self, target: str, mipmaps: bool) -> None:
+        modes = ["GL_OBJECT_LINEAR", "GL_EYE_LINEAR"]
+        if target != "GL_TEXTURE_CUBE_MAP" and not mipmaps:
+            modes.append("GL_SPHERE_MAP")
         mode = self.pick(modes)
         self.curved |= mode == "GL_SPHERE_MAP"
         for axis in "STR" if target == "GL_TEXTURE_CUBE_MAP" else "ST":
@@ -291,12 +293,13 @@ class States:
             ["GL_FUNC_ADD", "GL_FUNC_ADD", "GL_FUNC_SUBTRACT", "GL_FUNC_REVERSE_SUBTRACT", "GL_MIN", "GL_MAX"]
         )
         self.say(f"glBlendEquation({equation})")
-        destination = BLENDING if self.exact else [factor for factor in BLENDING if "SRC_COLOR" not in factor]
-        if self.chance(0.7):
-            self.say(f"glBlendFunc({self.pick([*BLENDING, 'GL_SRC_ALPHA_SATURATE'])}, {self.pick(destination)})")
+        factors = BLENDING if self.exact else [factor for factor in BLENDING if "SRC" not in factor]
+        if not self.exact and self.chance(0.4):
+            self.say("glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)")
+        elif self.chance(0.7):
+            self.say(f"glBlendFunc({self.pick(factors)}, {self.pick(factors)})")
         else:
-            factors = [self.pick(choices) for choices in (BLENDING, destination, BLENDING, destination)]
-            self.say(f"glBlendFuncSeparate({', '.join(factors)})")
+            self.say(f"glBlendFuncSeparate({', '.join(self.pick(factors) for _ in range(4))})")
 
     def depth(self) -> None:
         self.say(f"glDepthFunc({self.pick(['GL_LESS', 'GL_LEQUAL', 'GL_GREATER', 'GL_ALWAYS', 'GL_NOTEQUAL'])})")

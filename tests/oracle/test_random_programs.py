@@ -10,7 +10,7 @@ from glsim.render.native import Native
 from tests.oracle.author import Author
 from tests.oracle.random_programs import flag, pictures, shortest, whole
 
-PORTIONS, PROGRAMS = 8, 20  # 160 programs a run; python -m tests.oracle.random_programs --count 5000 makes more
+PORTIONS, PROGRAMS = 8, 50  # 400 programs a run; python -m tests.oracle.random_programs --count 5000 makes more
 
 
 @pytest.mark.parametrize("portion", range(PORTIONS))
