@@ -13,26 +13,9 @@ from numpy.typing import NDArray
 from glsim.gl.arguments import array_from
 from glsim.gl.texenv import unit_number
 from glsim.machine import constants
+from glsim.machine import constants as gl
 from glsim.machine.assembly import MINIMUM
-from glsim.machine.constants import (
-    GL_BYTE,
-    GL_COLOR_ARRAY,
-    GL_DOUBLE,
-    GL_EDGE_FLAG_ARRAY,
-    GL_FLOAT,
-    GL_FOG_COORDINATE_ARRAY,
-    GL_INDEX_ARRAY,
-    GL_INT,
-    GL_NORMAL_ARRAY,
-    GL_SECONDARY_COLOR_ARRAY,
-    GL_SHORT,
-    GL_TEXTURE_COORD_ARRAY,
-    GL_UNSIGNED_BYTE,
-    GL_UNSIGNED_INT,
-    GL_UNSIGNED_SHORT,
-    GL_VERTEX_ARRAY,
-    Enum,
-)
+from glsim.machine.constants import Enum
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
 from glsim.machine.frame import ROW, ROW_BYTES, Draw, Vertices
 from glsim.machine.machine import Machine
@@ -43,8 +26,9 @@ from glsim.machine.types import DTYPES
 ARRAYS: dict[int, Enum] = {
     int(array): array
     for array in (
-        GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_INDEX_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_EDGE_FLAG_ARRAY,
-        GL_FOG_COORDINATE_ARRAY, GL_SECONDARY_COLOR_ARRAY,
+        gl.GL_VERTEX_ARRAY, gl.GL_NORMAL_ARRAY, gl.GL_COLOR_ARRAY, gl.GL_INDEX_ARRAY, gl.GL_TEXTURE_COORD_ARRAY,
+        gl.GL_EDGE_FLAG_ARRAY,
+        gl.GL_FOG_COORDINATE_ARRAY, gl.GL_SECONDARY_COLOR_ARRAY,
     )
 }  # fmt: skip
 
@@ -53,7 +37,7 @@ class Pointer(NamedTuple):
     """What glVertexPointer and its kin remember; ``data`` is None until they are called."""
 
     size: int = 4
-    type: int = GL_FLOAT
+    type: int = gl.GL_FLOAT
     stride: int = 0
     data: Any = None
     buffer: int = 0  # the buffer object that held the array, and where in it
@@ -68,13 +52,13 @@ class Client(NamedTuple):
 
 
 # number types that a client array takes (table 2.4); the others take all
-SIGNED = (GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE)
+SIGNED = (gl.GL_SHORT, gl.GL_INT, gl.GL_FLOAT, gl.GL_DOUBLE)
 POINTER_TYPES: dict[int, tuple[Enum, ...]] = {
-    GL_VERTEX_ARRAY: SIGNED,
-    GL_NORMAL_ARRAY: (GL_BYTE, *SIGNED),
-    GL_TEXTURE_COORD_ARRAY: SIGNED,
-    GL_FOG_COORDINATE_ARRAY: (GL_FLOAT, GL_DOUBLE),
-    GL_INDEX_ARRAY: (GL_UNSIGNED_BYTE, *SIGNED),
+    gl.GL_VERTEX_ARRAY: SIGNED,
+    gl.GL_NORMAL_ARRAY: (gl.GL_BYTE, *SIGNED),
+    gl.GL_TEXTURE_COORD_ARRAY: SIGNED,
+    gl.GL_FOG_COORDINATE_ARRAY: (gl.GL_FLOAT, gl.GL_DOUBLE),
+    gl.GL_INDEX_ARRAY: (gl.GL_UNSIGNED_BYTE, *SIGNED),
 }
 
 
@@ -103,43 +87,43 @@ def offset_from(value: Any) -> int:
 
 def array_key(m: Machine, array: int) -> Any:
     """Under what a vertex array is kept: each texture unit has its own texture coordinates."""
-    return (array, m.client_unit) if array == GL_TEXTURE_COORD_ARRAY and m.client_unit else array
+    return (array, m.client_unit) if array == gl.GL_TEXTURE_COORD_ARRAY and m.client_unit else array
 
 
 def client(m: Machine, key: Any) -> Client:
-    return m.client.get(key) or (Client(pointer=Pointer(3)) if key == GL_SECONDARY_COLOR_ARRAY else Client())
+    return m.client.get(key) or (Client(pointer=Pointer(3)) if key == gl.GL_SECONDARY_COLOR_ARRAY else Client())
 
 
 def glVertexPointer(m: Machine, size: int, type: int, stride: int, pointer: Any) -> None:
-    _set_pointer(m, GL_VERTEX_ARRAY, Pointer(size, type, stride, pointer), (2, 3, 4))
+    _set_pointer(m, gl.GL_VERTEX_ARRAY, Pointer(size, type, stride, pointer), (2, 3, 4))
 
 
 def glNormalPointer(m: Machine, type: int, stride: int, pointer: Any) -> None:
-    _set_pointer(m, GL_NORMAL_ARRAY, Pointer(3, type, stride, pointer), (3,))
+    _set_pointer(m, gl.GL_NORMAL_ARRAY, Pointer(3, type, stride, pointer), (3,))
 
 
 def glColorPointer(m: Machine, size: int, type: int, stride: int, pointer: Any) -> None:
-    _set_pointer(m, GL_COLOR_ARRAY, Pointer(size, type, stride, pointer), (3, 4))
+    _set_pointer(m, gl.GL_COLOR_ARRAY, Pointer(size, type, stride, pointer), (3, 4))
 
 
 def glSecondaryColorPointer(m: Machine, size: int, type: int, stride: int, pointer: Any) -> None:
-    _set_pointer(m, GL_SECONDARY_COLOR_ARRAY, Pointer(size, type, stride, pointer), (3,))
+    _set_pointer(m, gl.GL_SECONDARY_COLOR_ARRAY, Pointer(size, type, stride, pointer), (3,))
 
 
 def glTexCoordPointer(m: Machine, size: int, type: int, stride: int, pointer: Any) -> None:
-    _set_pointer(m, GL_TEXTURE_COORD_ARRAY, Pointer(size, type, stride, pointer), (1, 2, 3, 4))
+    _set_pointer(m, gl.GL_TEXTURE_COORD_ARRAY, Pointer(size, type, stride, pointer), (1, 2, 3, 4))
 
 
 def glFogCoordPointer(m: Machine, type: int, stride: int, pointer: Any) -> None:
-    _set_pointer(m, GL_FOG_COORDINATE_ARRAY, Pointer(1, type, stride, pointer), (1,))
+    _set_pointer(m, gl.GL_FOG_COORDINATE_ARRAY, Pointer(1, type, stride, pointer), (1,))
 
 
 def glIndexPointer(m: Machine, type: int, stride: int, pointer: Any) -> None:
-    _set_pointer(m, GL_INDEX_ARRAY, Pointer(1, type, stride, pointer), (1,))
+    _set_pointer(m, gl.GL_INDEX_ARRAY, Pointer(1, type, stride, pointer), (1,))
 
 
 def glEdgeFlagPointer(m: Machine, stride: int, pointer: Any) -> None:
-    _set_pointer(m, GL_EDGE_FLAG_ARRAY, Pointer(1, GL_UNSIGNED_BYTE, stride, pointer), (1,))
+    _set_pointer(m, gl.GL_EDGE_FLAG_ARRAY, Pointer(1, gl.GL_UNSIGNED_BYTE, stride, pointer), (1,))
 
 
 def _set_client_state(m: Machine, array: int, enabled: bool) -> None:
@@ -165,18 +149,18 @@ def glClientActiveTexture(m: Machine, texture: int) -> None:
 INTERLEAVED: dict[str, tuple[int, int, int, bool, int]] = {
     "GL_V2F": (0, 0, 0, False, 2),
     "GL_V3F": (0, 0, 0, False, 3),
-    "GL_C4UB_V2F": (0, 4, GL_UNSIGNED_BYTE, False, 2),
-    "GL_C4UB_V3F": (0, 4, GL_UNSIGNED_BYTE, False, 3),
-    "GL_C3F_V3F": (0, 3, GL_FLOAT, False, 3),
+    "GL_C4UB_V2F": (0, 4, gl.GL_UNSIGNED_BYTE, False, 2),
+    "GL_C4UB_V3F": (0, 4, gl.GL_UNSIGNED_BYTE, False, 3),
+    "GL_C3F_V3F": (0, 3, gl.GL_FLOAT, False, 3),
     "GL_N3F_V3F": (0, 0, 0, True, 3),
-    "GL_C4F_N3F_V3F": (0, 4, GL_FLOAT, True, 3),
+    "GL_C4F_N3F_V3F": (0, 4, gl.GL_FLOAT, True, 3),
     "GL_T2F_V3F": (2, 0, 0, False, 3),
     "GL_T4F_V4F": (4, 0, 0, False, 4),
-    "GL_T2F_C4UB_V3F": (2, 4, GL_UNSIGNED_BYTE, False, 3),
-    "GL_T2F_C3F_V3F": (2, 3, GL_FLOAT, False, 3),
+    "GL_T2F_C4UB_V3F": (2, 4, gl.GL_UNSIGNED_BYTE, False, 3),
+    "GL_T2F_C3F_V3F": (2, 3, gl.GL_FLOAT, False, 3),
     "GL_T2F_N3F_V3F": (2, 0, 0, True, 3),
-    "GL_T2F_C4F_N3F_V3F": (2, 4, GL_FLOAT, True, 3),
-    "GL_T4F_C4F_N3F_V4F": (4, 4, GL_FLOAT, True, 4),
+    "GL_T2F_C4F_N3F_V3F": (2, 4, gl.GL_FLOAT, True, 3),
+    "GL_T4F_C4F_N3F_V4F": (4, 4, gl.GL_FLOAT, True, 4),
 }
 FORMATS = {int(getattr(constants, name)): layout for name, layout in INTERLEAVED.items()}
 
@@ -191,10 +175,10 @@ def glInterleavedArrays(m: Machine, format: int, stride: int, pointer: Any) -> N
     data = None if m.array_buffer else array_from(pointer, np.float32, "pointer").view(np.uint8)
     start, offset = offset_from(pointer) if m.array_buffer else 0, 0
     parts = (
-        (GL_TEXTURE_COORD_ARRAY, texture, GL_FLOAT),
-        (GL_COLOR_ARRAY, color, color_type),
-        (GL_NORMAL_ARRAY, 3 if normal else 0, GL_FLOAT),
-        (GL_VERTEX_ARRAY, vertex, GL_FLOAT),
+        (gl.GL_TEXTURE_COORD_ARRAY, texture, gl.GL_FLOAT),
+        (gl.GL_COLOR_ARRAY, color, color_type),
+        (gl.GL_NORMAL_ARRAY, 3 if normal else 0, gl.GL_FLOAT),
+        (gl.GL_VERTEX_ARRAY, vertex, gl.GL_FLOAT),
     )
     total = sum(_bytes(size, kind) for _, size, kind in parts)
     for array, size, kind in parts:
@@ -205,7 +189,7 @@ def glInterleavedArrays(m: Machine, format: int, stride: int, pointer: Any) -> N
             offset += _bytes(size, kind)
         else:
             m.client[key] = client(m, key)._replace(enabled=False)
-    for array in (GL_INDEX_ARRAY, GL_EDGE_FLAG_ARRAY):
+    for array in (gl.GL_INDEX_ARRAY, gl.GL_EDGE_FLAG_ARRAY):
         m.client[array] = client(m, array)._replace(enabled=False)
 
 
@@ -239,18 +223,20 @@ def as_colour(values: NDArray[Any]) -> NDArray[Any]:
 
 # client array -> column of frame.COLUMNS, components, values that fill what the array lacks
 EXTRA: dict[Any, tuple[str, tuple[float, ...]]] = {
-    GL_TEXTURE_COORD_ARRAY: ("texcoord0", (0.0, 0.0, 0.0, 1.0)),
-    **{(GL_TEXTURE_COORD_ARRAY, unit): (f"texcoord{unit}", (0.0, 0.0, 0.0, 1.0)) for unit in range(1, TEXTURE_UNITS)},
-    GL_SECONDARY_COLOR_ARRAY: ("secondary_color", (0.0, 0.0, 0.0, 1.0)),
-    GL_FOG_COORDINATE_ARRAY: ("fog_coord", (0.0,)),
-    GL_EDGE_FLAG_ARRAY: ("edge_flag", (1.0,)),
+    gl.GL_TEXTURE_COORD_ARRAY: ("texcoord0", (0.0, 0.0, 0.0, 1.0)),
+    **{
+        (gl.GL_TEXTURE_COORD_ARRAY, unit): (f"texcoord{unit}", (0.0, 0.0, 0.0, 1.0)) for unit in range(1, TEXTURE_UNITS)
+    },
+    gl.GL_SECONDARY_COLOR_ARRAY: ("secondary_color", (0.0, 0.0, 0.0, 1.0)),
+    gl.GL_FOG_COORDINATE_ARRAY: ("fog_coord", (0.0,)),
+    gl.GL_EDGE_FLAG_ARRAY: ("edge_flag", (1.0,)),
 }
 Columns = dict[str, NDArray[np.float32]]
 
 
 def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], Columns] | None:
     """Rows (count, 10) and other columns (count, width) from the enabled arrays; None without vertex array."""
-    vertex = client(m, GL_VERTEX_ARRAY)
+    vertex = client(m, gl.GL_VERTEX_ARRAY)
     if not _usable(m, vertex):
         return None
     positions = elements(m, vertex.pointer, first, count)
@@ -260,9 +246,9 @@ def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], Col
     if size == 2:
         rows[:, 2] = 0.0
     columns = {"w": positions[:, 3:4].astype(np.float32)} if size == 4 else {}
-    normal = client(m, GL_NORMAL_ARRAY)
+    normal = client(m, gl.GL_NORMAL_ARRAY)
     rows[:, 3:6] = as_colour(elements(m, normal.pointer, first, count)) if _usable(m, normal) else (m.nx, m.ny, m.nz)
-    color = client(m, GL_COLOR_ARRAY)
+    color = client(m, gl.GL_COLOR_ARRAY)
     if _usable(m, color):
         rows[:, 6 : 6 + color.pointer.size] = as_colour(elements(m, color.pointer, first, count))
         if color.pointer.size == 3:
@@ -273,7 +259,7 @@ def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], Col
         state = client(m, array)
         if _usable(m, state):
             values = elements(m, state.pointer, first, count)
-            values = as_colour(values) if array == GL_SECONDARY_COLOR_ARRAY else values
+            values = as_colour(values) if array == gl.GL_SECONDARY_COLOR_ARRAY else values
             columns[name] = np.tile(np.array(fill, np.float32), (count, 1))
             columns[name][:, : values.shape[1]] = values
     return rows, columns
@@ -322,7 +308,7 @@ MOST_KEPT = 64
 def _buffers_key(m: Machine, first: int, count: int) -> tuple[Any, ...] | None:
     """What the vertices follow from if they come from buffer objects alone: as long as it stays the same, the GPU
     can keep them.  It begins with the buffer of the positions."""
-    vertex = m.client.get(GL_VERTEX_ARRAY)
+    vertex = m.client.get(gl.GL_VERTEX_ARRAY)
     if vertex is None or not vertex.enabled or m.buffers.get(vertex.pointer.buffer) is None:
         return None
     parts: list[Any] = [vertex.pointer.buffer, first, count]
@@ -341,7 +327,7 @@ def glMultiDrawArrays(m: Machine, mode: int, first: Any, count: Any, primcount: 
         glDrawArrays(m, mode, first[k], count[k])
 
 
-INDEX_TYPES = (GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT)
+INDEX_TYPES = (gl.GL_UNSIGNED_BYTE, gl.GL_UNSIGNED_SHORT, gl.GL_UNSIGNED_INT)
 
 
 def glDrawElements(m: Machine, mode: int, count: int, type: int, indices: Any) -> None:
@@ -393,7 +379,7 @@ def glMultiDrawElements(m: Machine, mode: int, count: Any, type: int, indices: A
 def glArrayElement(m: Machine, i: int) -> None:
     if i < 0:
         raise invalid_value("i", i, "at least 0")
-    normal, color = client(m, GL_NORMAL_ARRAY), client(m, GL_COLOR_ARRAY)
+    normal, color = client(m, gl.GL_NORMAL_ARRAY), client(m, gl.GL_COLOR_ARRAY)
     if _usable(m, normal):
         m.nx, m.ny, m.nz = as_colour(elements(m, normal.pointer, i, 1))[0].tolist()
     if _usable(m, color):
@@ -404,7 +390,7 @@ def glArrayElement(m: Machine, i: int) -> None:
         if _usable(m, state):
             given = elements(m, state.pointer, i, 1)[0].tolist()
             m.set_current(name, (*given, *fill[len(given) :]))
-    if _usable(m, client(m, GL_VERTEX_ARRAY)):
+    if _usable(m, client(m, gl.GL_VERTEX_ARRAY)):
         if m.inside is None:
             raise invalid_operation("a vertex is only allowed between glBegin and glEnd")
         found = gather(m, i, 1)

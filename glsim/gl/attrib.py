@@ -9,57 +9,32 @@ from copy import copy
 
 from glsim.gl.enable import CAPS, SERIES, series, switch
 from glsim.gl.texture import rebind
-from glsim.machine.constants import (
-    GL_ACCUM_BUFFER_BIT,
-    GL_CLIENT_PIXEL_STORE_BIT,
-    GL_CLIENT_VERTEX_ARRAY_BIT,
-    GL_COLOR_BUFFER_BIT,
-    GL_CURRENT_BIT,
-    GL_DEPTH_BUFFER_BIT,
-    GL_ENABLE_BIT,
-    GL_EVAL_BIT,
-    GL_FOG_BIT,
-    GL_HINT_BIT,
-    GL_LIGHTING_BIT,
-    GL_LINE_BIT,
-    GL_LIST_BIT,
-    GL_MULTISAMPLE_BIT,
-    GL_PIXEL_MODE_BIT,
-    GL_POINT_BIT,
-    GL_POLYGON_BIT,
-    GL_POLYGON_STIPPLE_BIT,
-    GL_SCISSOR_BIT,
-    GL_STENCIL_BUFFER_BIT,
-    GL_TEXTURE,
-    GL_TEXTURE_BIT,
-    GL_TRANSFORM_BIT,
-    GL_VIEWPORT_BIT,
-)
+from glsim.machine import constants as gl
 from glsim.machine.errors import stack_overflow, stack_underflow
 from glsim.machine.machine import ATTRIB_STACK_DEPTH, Machine
 
 # bit of glPushAttrib -> attributes of a Machine that it saves
 GROUPS: dict[int, tuple[str, ...]] = {
-    GL_CURRENT_BIT: ("nx", "ny", "nz", "red", "green", "blue", "alpha", "index", "current", "raster"),
-    GL_POINT_BIT: ("point",),
-    GL_LINE_BIT: ("line",),
-    GL_POLYGON_BIT: ("polygon",),
-    GL_POLYGON_STIPPLE_BIT: ("polygon_stipple",),
-    GL_LIGHTING_BIT: ("lighting", "material"),
-    GL_TEXTURE_BIT: ("texture",),
-    GL_FOG_BIT: ("fog",),
-    GL_DEPTH_BUFFER_BIT: ("depth",),
-    GL_STENCIL_BUFFER_BIT: ("stencil",),
-    GL_VIEWPORT_BIT: ("viewport",),
-    GL_TRANSFORM_BIT: ("transform",),
-    GL_COLOR_BUFFER_BIT: ("color_buffer",),
-    GL_HINT_BIT: ("hints",),
-    GL_LIST_BIT: ("list_base",),
-    GL_SCISSOR_BIT: ("scissor",),
-    GL_MULTISAMPLE_BIT: ("multisample",),
-    GL_PIXEL_MODE_BIT: ("pixel",),
-    GL_EVAL_BIT: ("evaluators",),
-    GL_ACCUM_BUFFER_BIT: ("accum_clear",),
+    gl.GL_CURRENT_BIT: ("nx", "ny", "nz", "red", "green", "blue", "alpha", "index", "current", "raster"),
+    gl.GL_POINT_BIT: ("point",),
+    gl.GL_LINE_BIT: ("line",),
+    gl.GL_POLYGON_BIT: ("polygon",),
+    gl.GL_POLYGON_STIPPLE_BIT: ("polygon_stipple",),
+    gl.GL_LIGHTING_BIT: ("lighting", "material"),
+    gl.GL_TEXTURE_BIT: ("texture",),
+    gl.GL_FOG_BIT: ("fog",),
+    gl.GL_DEPTH_BUFFER_BIT: ("depth",),
+    gl.GL_STENCIL_BUFFER_BIT: ("stencil",),
+    gl.GL_VIEWPORT_BIT: ("viewport",),
+    gl.GL_TRANSFORM_BIT: ("transform",),
+    gl.GL_COLOR_BUFFER_BIT: ("color_buffer",),
+    gl.GL_HINT_BIT: ("hints",),
+    gl.GL_LIST_BIT: ("list_base",),
+    gl.GL_SCISSOR_BIT: ("scissor",),
+    gl.GL_MULTISAMPLE_BIT: ("multisample",),
+    gl.GL_PIXEL_MODE_BIT: ("pixel",),
+    gl.GL_EVAL_BIT: ("evaluators",),
+    gl.GL_ACCUM_BUFFER_BIT: ("accum_clear",),
 }
 ALL_CAPS = [*CAPS, *(first + k for first, (_, _, count) in SERIES.items() for k in range(count))]
 
@@ -79,8 +54,8 @@ def glPushAttrib(m: Machine, mask: int) -> None:
         )
     names = [name for bit, group in GROUPS.items() if mask & bit for name in group]
     saved = {name: getattr(m, name) for name in names}
-    flags = {cap: _flag(m, cap) for cap in ALL_CAPS} if mask & GL_ENABLE_BIT else {}
-    units = [(unit.enabled, unit.generated) for unit in m.texture.units] if mask & GL_ENABLE_BIT else []
+    flags = {cap: _flag(m, cap) for cap in ALL_CAPS} if mask & gl.GL_ENABLE_BIT else {}
+    units = [(unit.enabled, unit.generated) for unit in m.texture.units] if mask & gl.GL_ENABLE_BIT else []
     m.attrib_stack.append((saved, flags, units))
 
 
@@ -100,13 +75,13 @@ def glPopAttrib(m: Machine) -> None:
         setattr(m, name, value)
     if "texture" in saved:
         rebind(m)
-        m.stacks[GL_TEXTURE] = m.texture_stacks[m.texture.active_unit]
+        m.stacks[gl.GL_TEXTURE] = m.texture_stacks[m.texture.active_unit]
     m.stack = m.stacks[m.transform.matrix_mode]
 
 
 CLIENT: dict[int, tuple[str, ...]] = {
-    GL_CLIENT_PIXEL_STORE_BIT: ("unpack_store", "pack_store"),
-    GL_CLIENT_VERTEX_ARRAY_BIT: ("client", "client_unit", "array_buffer", "element_buffer"),
+    gl.GL_CLIENT_PIXEL_STORE_BIT: ("unpack_store", "pack_store"),
+    gl.GL_CLIENT_VERTEX_ARRAY_BIT: ("client", "client_unit", "array_buffer", "element_buffer"),
 }
 
 

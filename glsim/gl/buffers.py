@@ -10,32 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.gl.texture import free_name, given_names, names_from, new_names
-from glsim.machine.constants import (
-    GL_ARRAY_BUFFER,
-    GL_BUFFER_ACCESS,
-    GL_BUFFER_MAP_POINTER,
-    GL_BUFFER_MAPPED,
-    GL_BUFFER_SIZE,
-    GL_BUFFER_USAGE,
-    GL_CURRENT_QUERY,
-    GL_DYNAMIC_COPY,
-    GL_DYNAMIC_DRAW,
-    GL_DYNAMIC_READ,
-    GL_ELEMENT_ARRAY_BUFFER,
-    GL_QUERY_COUNTER_BITS,
-    GL_QUERY_RESULT,
-    GL_QUERY_RESULT_AVAILABLE,
-    GL_READ_ONLY,
-    GL_READ_WRITE,
-    GL_SAMPLES_PASSED,
-    GL_STATIC_COPY,
-    GL_STATIC_DRAW,
-    GL_STATIC_READ,
-    GL_STREAM_COPY,
-    GL_STREAM_DRAW,
-    GL_STREAM_READ,
-    GL_WRITE_ONLY,
-)
+from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Query, QueryMark, Vertices
 from glsim.machine.machine import Machine
@@ -43,10 +18,11 @@ from glsim.machine.types import fill, is_pointer, plain, raw_bytes
 
 LARGEST_BUFFER = 1 << 31
 USAGES = (
-    GL_STREAM_DRAW, GL_STREAM_READ, GL_STREAM_COPY, GL_STATIC_DRAW, GL_STATIC_READ, GL_STATIC_COPY, GL_DYNAMIC_DRAW,
-    GL_DYNAMIC_READ, GL_DYNAMIC_COPY,
+    gl.GL_STREAM_DRAW, gl.GL_STREAM_READ, gl.GL_STREAM_COPY, gl.GL_STATIC_DRAW, gl.GL_STATIC_READ, gl.GL_STATIC_COPY,
+    gl.GL_DYNAMIC_DRAW,
+    gl.GL_DYNAMIC_READ, gl.GL_DYNAMIC_COPY,
 )  # fmt: skip
-FIELDS: dict[int, str] = {GL_ARRAY_BUFFER: "array_buffer", GL_ELEMENT_ARRAY_BUFFER: "element_buffer"}
+FIELDS: dict[int, str] = {gl.GL_ARRAY_BUFFER: "array_buffer", gl.GL_ELEMENT_ARRAY_BUFFER: "element_buffer"}
 
 
 class Buffer:
@@ -56,7 +32,7 @@ class Buffer:
 
     def __init__(self) -> None:
         self.data: NDArray[np.uint8] = np.zeros(0, np.uint8)
-        self.usage, self.access = int(GL_STATIC_DRAW), int(GL_READ_WRITE)
+        self.usage, self.access = int(gl.GL_STATIC_DRAW), int(gl.GL_READ_WRITE)
         self.mapped = False
         self.version = 0
         self.vertices: dict[Any, Vertices] = {}
@@ -172,7 +148,7 @@ def glGetBufferSubData(m: Machine, target: int, offset: int, size: int, data: An
 
 def glMapBuffer(m: Machine, target: int, access: int) -> int:
     """The address of the buffer's memory, as PyOpenGL returns it; good until glUnmapBuffer."""
-    if access not in (GL_READ_ONLY, GL_WRITE_ONLY, GL_READ_WRITE):
+    if access not in (gl.GL_READ_ONLY, gl.GL_WRITE_ONLY, gl.GL_READ_WRITE):
         raise invalid_enum("access", access, "GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE")
     buffer = _bound(m, target)
     if buffer.mapped:
@@ -193,8 +169,8 @@ def glUnmapBuffer(m: Machine, target: int) -> int:
 def glGetBufferParameter(m: Machine, target: int, pname: int) -> tuple[float, ...]:
     buffer = _bound(m, target)
     values = {
-        GL_BUFFER_SIZE: len(buffer.data), GL_BUFFER_USAGE: buffer.usage, GL_BUFFER_ACCESS: buffer.access,
-        GL_BUFFER_MAPPED: int(buffer.mapped),
+        gl.GL_BUFFER_SIZE: len(buffer.data), gl.GL_BUFFER_USAGE: buffer.usage, gl.GL_BUFFER_ACCESS: buffer.access,
+        gl.GL_BUFFER_MAPPED: int(buffer.mapped),
     }  # fmt: skip
     if pname not in values:
         raise invalid_enum("pname", pname, "GL_BUFFER_SIZE, GL_BUFFER_USAGE, GL_BUFFER_ACCESS or GL_BUFFER_MAPPED")
@@ -202,7 +178,7 @@ def glGetBufferParameter(m: Machine, target: int, pname: int) -> tuple[float, ..
 
 
 def glGetBufferPointerv(m: Machine, target: int, pname: int) -> int | None:
-    if pname != GL_BUFFER_MAP_POINTER:
+    if pname != gl.GL_BUFFER_MAP_POINTER:
         raise invalid_enum("pname", pname, "GL_BUFFER_MAP_POINTER")
     buffer = _bound(m, target)
     return int(buffer.data.ctypes.data) if buffer.mapped else None
@@ -224,7 +200,7 @@ def glDeleteQueries(m: Machine, n: Any, ids: Any = None) -> None:
     """glDeleteQueries(n, names), or glDeleteQueries(names)."""
     for name in names_from(n, ids):
         if name == m.queries.get(ACTIVE):
-            glEndQuery(m, GL_SAMPLES_PASSED)
+            glEndQuery(m, gl.GL_SAMPLES_PASSED)
         if name > 0:
             m.queries.pop(name, None)
             free_name(m, "queries", name)
@@ -235,7 +211,7 @@ def glIsQuery(m: Machine, id: int) -> int:
 
 
 def _check_target(target: int) -> None:
-    if target != GL_SAMPLES_PASSED:
+    if target != gl.GL_SAMPLES_PASSED:
         raise invalid_enum("target", target, "GL_SAMPLES_PASSED")
 
 
@@ -262,9 +238,9 @@ def glEndQuery(m: Machine, target: int) -> None:
 
 def glGetQuery(m: Machine, target: int, pname: int) -> tuple[float, ...]:
     _check_target(target)
-    if pname == GL_QUERY_COUNTER_BITS:
+    if pname == gl.GL_QUERY_COUNTER_BITS:
         return (32.0,)
-    if pname == GL_CURRENT_QUERY:
+    if pname == gl.GL_CURRENT_QUERY:
         return (float(m.queries.get(ACTIVE) or 0),)
     raise invalid_enum("pname", pname, "GL_CURRENT_QUERY or GL_QUERY_COUNTER_BITS")
 
@@ -273,7 +249,7 @@ def glGetQueryObject(m: Machine, id: int, pname: int) -> tuple[float, ...]:
     query = m.queries.get(id) if id > 0 else None
     if query is None or m.queries.get(ACTIVE) == id:
         raise invalid_operation(f"{id} is no query that has ended")
-    if pname not in (GL_QUERY_RESULT, GL_QUERY_RESULT_AVAILABLE):
+    if pname not in (gl.GL_QUERY_RESULT, gl.GL_QUERY_RESULT_AVAILABLE):
         raise invalid_enum("pname", pname, "GL_QUERY_RESULT or GL_QUERY_RESULT_AVAILABLE")
     m.flush()
-    return (float(query.result or 0) if pname == GL_QUERY_RESULT else 1.0,)
+    return (float(query.result or 0) if pname == gl.GL_QUERY_RESULT else 1.0,)

@@ -6,95 +6,55 @@ from typing import Any
 
 from glsim.gl.arrays import ARRAYS, array_key, client
 from glsim.gl.light import set_color_material
-from glsim.machine.constants import (
-    GL_ALPHA_TEST,
-    GL_AUTO_NORMAL,
-    GL_BLEND,
-    GL_CLIP_PLANE0,
-    GL_COLOR_LOGIC_OP,
-    GL_COLOR_MATERIAL,
-    GL_COLOR_SUM,
-    GL_CULL_FACE,
-    GL_DEPTH_TEST,
-    GL_DITHER,
-    GL_FOG,
-    GL_INDEX_LOGIC_OP,
-    GL_LIGHT0,
-    GL_LIGHTING,
-    GL_LINE_SMOOTH,
-    GL_LINE_STIPPLE,
-    GL_MAP1_COLOR_4,
-    GL_MAP2_COLOR_4,
-    GL_MULTISAMPLE,
-    GL_NORMALIZE,
-    GL_POINT_SMOOTH,
-    GL_POLYGON_OFFSET_FILL,
-    GL_POLYGON_OFFSET_LINE,
-    GL_POLYGON_OFFSET_POINT,
-    GL_POLYGON_SMOOTH,
-    GL_POLYGON_STIPPLE,
-    GL_RESCALE_NORMAL,
-    GL_SAMPLE_ALPHA_TO_COVERAGE,
-    GL_SAMPLE_ALPHA_TO_ONE,
-    GL_SAMPLE_COVERAGE,
-    GL_SCISSOR_TEST,
-    GL_STENCIL_TEST,
-    GL_TEXTURE_1D,
-    GL_TEXTURE_2D,
-    GL_TEXTURE_3D,
-    GL_TEXTURE_CUBE_MAP,
-    GL_TEXTURE_GEN_Q,
-    GL_TEXTURE_GEN_R,
-    GL_TEXTURE_GEN_S,
-    GL_TEXTURE_GEN_T,
-)
+from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum
 from glsim.machine.machine import Machine
 from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS
 
 # cap -> (group, field) of a Machine
 CAPS: dict[int, tuple[str, str]] = {
-    GL_LIGHTING: ("lighting", "enabled"),
-    GL_COLOR_MATERIAL: ("lighting", "color_material"),
-    GL_NORMALIZE: ("transform", "normalize"),
-    GL_RESCALE_NORMAL: ("transform", "rescale_normal"),
-    GL_POINT_SMOOTH: ("point", "smooth"),
-    GL_LINE_SMOOTH: ("line", "smooth"),
-    GL_LINE_STIPPLE: ("line", "stipple"),
-    GL_CULL_FACE: ("polygon", "cull"),
-    GL_POLYGON_SMOOTH: ("polygon", "smooth"),
-    GL_POLYGON_STIPPLE: ("polygon", "stipple"),
-    GL_POLYGON_OFFSET_FILL: ("polygon", "offset_fill"),
-    GL_POLYGON_OFFSET_LINE: ("polygon", "offset_line"),
-    GL_POLYGON_OFFSET_POINT: ("polygon", "offset_point"),
-    GL_AUTO_NORMAL: ("evaluators", "auto_normal"),
-    GL_INDEX_LOGIC_OP: ("color_buffer", "index_logic_op"),
-    GL_FOG: ("fog", "enabled"),
-    GL_COLOR_SUM: ("fog", "color_sum"),
-    GL_DEPTH_TEST: ("depth", "test"),
-    GL_STENCIL_TEST: ("stencil", "test"),
-    GL_SCISSOR_TEST: ("scissor", "test"),
-    GL_ALPHA_TEST: ("color_buffer", "alpha_test"),
-    GL_BLEND: ("color_buffer", "blend"),
-    GL_DITHER: ("color_buffer", "dither"),
-    GL_COLOR_LOGIC_OP: ("color_buffer", "logic_op_enabled"),
-    GL_MULTISAMPLE: ("multisample", "enabled"),
-    GL_SAMPLE_ALPHA_TO_COVERAGE: ("multisample", "alpha_to_coverage"),
-    GL_SAMPLE_ALPHA_TO_ONE: ("multisample", "alpha_to_one"),
-    GL_SAMPLE_COVERAGE: ("multisample", "coverage"),
+    gl.GL_LIGHTING: ("lighting", "enabled"),
+    gl.GL_COLOR_MATERIAL: ("lighting", "color_material"),
+    gl.GL_NORMALIZE: ("transform", "normalize"),
+    gl.GL_RESCALE_NORMAL: ("transform", "rescale_normal"),
+    gl.GL_POINT_SMOOTH: ("point", "smooth"),
+    gl.GL_LINE_SMOOTH: ("line", "smooth"),
+    gl.GL_LINE_STIPPLE: ("line", "stipple"),
+    gl.GL_CULL_FACE: ("polygon", "cull"),
+    gl.GL_POLYGON_SMOOTH: ("polygon", "smooth"),
+    gl.GL_POLYGON_STIPPLE: ("polygon", "stipple"),
+    gl.GL_POLYGON_OFFSET_FILL: ("polygon", "offset_fill"),
+    gl.GL_POLYGON_OFFSET_LINE: ("polygon", "offset_line"),
+    gl.GL_POLYGON_OFFSET_POINT: ("polygon", "offset_point"),
+    gl.GL_AUTO_NORMAL: ("evaluators", "auto_normal"),
+    gl.GL_INDEX_LOGIC_OP: ("color_buffer", "index_logic_op"),
+    gl.GL_FOG: ("fog", "enabled"),
+    gl.GL_COLOR_SUM: ("fog", "color_sum"),
+    gl.GL_DEPTH_TEST: ("depth", "test"),
+    gl.GL_STENCIL_TEST: ("stencil", "test"),
+    gl.GL_SCISSOR_TEST: ("scissor", "test"),
+    gl.GL_ALPHA_TEST: ("color_buffer", "alpha_test"),
+    gl.GL_BLEND: ("color_buffer", "blend"),
+    gl.GL_DITHER: ("color_buffer", "dither"),
+    gl.GL_COLOR_LOGIC_OP: ("color_buffer", "logic_op_enabled"),
+    gl.GL_MULTISAMPLE: ("multisample", "enabled"),
+    gl.GL_SAMPLE_ALPHA_TO_COVERAGE: ("multisample", "alpha_to_coverage"),
+    gl.GL_SAMPLE_ALPHA_TO_ONE: ("multisample", "alpha_to_one"),
+    gl.GL_SAMPLE_COVERAGE: ("multisample", "coverage"),
 }
 # first cap of a numbered series -> (group, field holding a tuple, how many)
 SERIES: dict[int, tuple[str, str, int]] = {
-    GL_MAP1_COLOR_4: ("evaluators", "enabled_1", 9),
-    GL_MAP2_COLOR_4: ("evaluators", "enabled_2", 9),
-    GL_LIGHT0: ("lighting", "light_enabled", MAX_LIGHTS),
-    GL_CLIP_PLANE0: ("transform", "clip_enabled", MAX_CLIP_PLANES),
+    gl.GL_MAP1_COLOR_4: ("evaluators", "enabled_1", 9),
+    gl.GL_MAP2_COLOR_4: ("evaluators", "enabled_2", 9),
+    gl.GL_LIGHT0: ("lighting", "light_enabled", MAX_LIGHTS),
+    gl.GL_CLIP_PLANE0: ("transform", "clip_enabled", MAX_CLIP_PLANES),
 }
 # switches of the active texture unit -> field of TextureUnit, place in it
 UNIT_CAPS: dict[int, tuple[str, int]] = {
-    GL_TEXTURE_1D: ("enabled", 0), GL_TEXTURE_2D: ("enabled", 1), GL_TEXTURE_3D: ("enabled", 2),
-    GL_TEXTURE_CUBE_MAP: ("enabled", 3), GL_TEXTURE_GEN_S: ("generated", 0), GL_TEXTURE_GEN_T: ("generated", 1),
-    GL_TEXTURE_GEN_R: ("generated", 2), GL_TEXTURE_GEN_Q: ("generated", 3),
+    gl.GL_TEXTURE_1D: ("enabled", 0), gl.GL_TEXTURE_2D: ("enabled", 1), gl.GL_TEXTURE_3D: ("enabled", 2),
+    gl.GL_TEXTURE_CUBE_MAP: ("enabled", 3), gl.GL_TEXTURE_GEN_S: ("generated", 0), gl.GL_TEXTURE_GEN_T: ("generated",
+    1),
+    gl.GL_TEXTURE_GEN_R: ("generated", 2), gl.GL_TEXTURE_GEN_Q: ("generated", 3),
 }  # fmt: skip
 EXPECTED = "something that can be enabled, such as GL_LIGHTING or GL_DEPTH_TEST"
 
@@ -119,7 +79,7 @@ def switch(m: Machine, cap: int, value: bool) -> None:
     place = CAPS.get(cap)
     if place is not None:
         group, field = place
-        if cap == GL_COLOR_MATERIAL and m.lighting.color_material != value:
+        if cap == gl.GL_COLOR_MATERIAL and m.lighting.color_material != value:
             set_color_material(m, value)
         else:
             setattr(m, group, getattr(m, group)._replace(**{field: value}))

@@ -9,21 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.gl.arguments import numbers
-from glsim.machine.constants import (
-    GL_COEFF,
-    GL_DOMAIN,
-    GL_FILL,
-    GL_FLAT,
-    GL_LINE,
-    GL_LINE_STRIP,
-    GL_MAP1_COLOR_4,
-    GL_MAP2_COLOR_4,
-    GL_ORDER,
-    GL_POINT,
-    GL_POINTS,
-    GL_QUADS,
-    GL_TRIANGLES,
-)
+from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
 from glsim.machine.frame import ROW, ROW_BYTES
 from glsim.machine.kept import kept
@@ -48,7 +34,7 @@ class Map(NamedTuple):
 
 
 def _what(target: int, dimensions: int) -> int:
-    what = int(target) - (GL_MAP1_COLOR_4 if dimensions == 1 else GL_MAP2_COLOR_4)
+    what = int(target) - (gl.GL_MAP1_COLOR_4 if dimensions == 1 else gl.GL_MAP2_COLOR_4)
     if not 0 <= what < 9:
         raise invalid_enum("target", target, f"a map such as GL_MAP{dimensions}_VERTEX_3")
     return what
@@ -192,7 +178,7 @@ def evaluate(
     """
     dimensions = len(places)
     enabled = m.evaluators.enabled_1 if dimensions == 1 else m.evaluators.enabled_2
-    first = int(GL_MAP1_COLOR_4 if dimensions == 1 else GL_MAP2_COLOR_4)
+    first = int(gl.GL_MAP1_COLOR_4 if dimensions == 1 else gl.GL_MAP2_COLOR_4)
     maps = {what: m.maps.get(first + what, _default(what, dimensions)) for what in range(9) if enabled[what]}
     vertex = maps.get(VERTEX_4, maps.get(VERTEX_3))
     if vertex is None:
@@ -284,16 +270,16 @@ def _range(m: Machine, first: int, last: int) -> NDArray[np.int64]:
 
 
 def glEvalMesh1(m: Machine, mode: int, p1: int, p2: int) -> None:
-    if mode not in (GL_POINT, GL_LINE):
+    if mode not in (gl.GL_POINT, gl.GL_LINE):
         raise invalid_enum("mode", mode, "GL_POINT or GL_LINE")
     chosen = _range(m, p1, p2)
     found = evaluate(m, _grid(*m.evaluators.grid_1, chosen)) if len(chosen) else None
     if found is not None:
-        m.add_draw(GL_POINTS if mode == GL_POINT else GL_LINE_STRIP, *found, None)
+        m.add_draw(gl.GL_POINTS if mode == gl.GL_POINT else gl.GL_LINE_STRIP, *found, None)
 
 
 def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> None:
-    if mode not in (GL_POINT, GL_LINE, GL_FILL):
+    if mode not in (gl.GL_POINT, gl.GL_LINE, gl.GL_FILL):
         raise invalid_enum("mode", mode, "GL_POINT, GL_LINE or GL_FILL")
     p, q = _range(m, p1, p2), _range(m, q1, q2)
     if not len(p) or not len(q):
@@ -306,16 +292,20 @@ def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> No
         return
     rows, columns = found
     number = np.arange(len(p) * len(q)).reshape(len(p), len(q))  # of the grid point (p, q)
-    if mode == GL_LINE:
+    if mode == gl.GL_LINE:
         lines: list[Any] = [*number.T, *number]
         for line in lines:
-            m.add_draw(GL_LINE_STRIP, rows[line], {name: values[line] for name, values in columns.items()}, None)
-    elif mode == GL_POINT:
-        m.add_draw(GL_POINTS, rows, columns, None)
+            m.add_draw(gl.GL_LINE_STRIP, rows[line], {name: values[line] for name, values in columns.items()}, None)
+    elif mode == gl.GL_POINT:
+        m.add_draw(gl.GL_POINTS, rows, columns, None)
     elif len(p) > 1 and len(q) > 1:
         # quads may be cut along either diagonal; where it is not seen that they are quads, cut them as drivers do
-        seen = m.polygon.front_mode != GL_FILL or m.polygon.back_mode != GL_FILL or m.lighting.shade_model == GL_FLAT
-        m.add_draw(GL_QUADS if seen else GL_TRIANGLES, rows, columns, _strips(len(p), len(q), seen))
+        seen = (
+            m.polygon.front_mode != gl.GL_FILL
+            or m.polygon.back_mode != gl.GL_FILL
+            or m.lighting.shade_model == gl.GL_FLAT
+        )
+        m.add_draw(gl.GL_QUADS if seen else gl.GL_TRIANGLES, rows, columns, _strips(len(p), len(q), seen))
 
 
 @kept(64 * 1024 * 1024)
@@ -333,13 +323,13 @@ def _strips(nu: int, nv: int, quads: bool) -> NDArray[np.uint32]:
 
 
 def glGetMap(m: Machine, target: int, query: int) -> tuple[float, ...]:
-    dimensions = 1 if 0 <= target - GL_MAP1_COLOR_4 < 9 else 2
+    dimensions = 1 if 0 <= target - gl.GL_MAP1_COLOR_4 < 9 else 2
     what = _what(target, dimensions)
     map: Map = m.maps.get(target, _default(what, dimensions))
-    if query == GL_COEFF:
+    if query == gl.GL_COEFF:
         return tuple(float(number) for number in map.points.ravel())
-    if query == GL_ORDER:
+    if query == gl.GL_ORDER:
         return tuple(float(n) for n in map.points.shape[:-1])
-    if query == GL_DOMAIN:
+    if query == gl.GL_DOMAIN:
         return map.domain
     raise invalid_enum("query", query, "GL_COEFF, GL_ORDER or GL_DOMAIN")

@@ -5,71 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from glsim.gl.arguments import exactly, numbers, unit, whole
-from glsim.machine.constants import (
-    GL_ACCUM,
-    GL_ACCUM_BUFFER_BIT,
-    GL_ADD,
-    GL_ALWAYS,
-    GL_CLEAR,
-    GL_COLOR_BUFFER_BIT,
-    GL_CONSTANT_ALPHA,
-    GL_CONSTANT_COLOR,
-    GL_DECR,
-    GL_DECR_WRAP,
-    GL_DEPTH_BUFFER_BIT,
-    GL_DONT_CARE,
-    GL_DST_ALPHA,
-    GL_DST_COLOR,
-    GL_EXP,
-    GL_EXP2,
-    GL_FASTEST,
-    GL_FOG_COLOR,
-    GL_FOG_COORDINATE,
-    GL_FOG_COORDINATE_SOURCE,
-    GL_FOG_DENSITY,
-    GL_FOG_END,
-    GL_FOG_HINT,
-    GL_FOG_INDEX,
-    GL_FOG_MODE,
-    GL_FOG_START,
-    GL_FRAGMENT_DEPTH,
-    GL_FUNC_ADD,
-    GL_FUNC_REVERSE_SUBTRACT,
-    GL_FUNC_SUBTRACT,
-    GL_GENERATE_MIPMAP_HINT,
-    GL_INCR,
-    GL_INCR_WRAP,
-    GL_INVERT,
-    GL_KEEP,
-    GL_LINE_SMOOTH_HINT,
-    GL_LINEAR,
-    GL_LOAD,
-    GL_MAX,
-    GL_MIN,
-    GL_MULT,
-    GL_NEVER,
-    GL_NICEST,
-    GL_ONE,
-    GL_ONE_MINUS_CONSTANT_ALPHA,
-    GL_ONE_MINUS_CONSTANT_COLOR,
-    GL_ONE_MINUS_DST_ALPHA,
-    GL_ONE_MINUS_DST_COLOR,
-    GL_ONE_MINUS_SRC_ALPHA,
-    GL_ONE_MINUS_SRC_COLOR,
-    GL_PERSPECTIVE_CORRECTION_HINT,
-    GL_PHONG_HINT_WIN,
-    GL_POINT_SMOOTH_HINT,
-    GL_POLYGON_SMOOTH_HINT,
-    GL_REPLACE,
-    GL_RETURN,
-    GL_SET,
-    GL_SRC_ALPHA,
-    GL_SRC_ALPHA_SATURATE,
-    GL_SRC_COLOR,
-    GL_STENCIL_BUFFER_BIT,
-    GL_TEXTURE_COMPRESSION_HINT,
-    GL_ZERO,
-)
+from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.frame import Accum, Clear
 from glsim.machine.machine import Machine
@@ -77,7 +13,7 @@ from glsim.machine.state import Color
 
 
 def _check_func(func: int) -> None:
-    if not GL_NEVER <= func <= GL_ALWAYS:
+    if not gl.GL_NEVER <= func <= gl.GL_ALWAYS:
         raise invalid_enum("func", func, "a comparison such as GL_LESS or GL_LEQUAL")
 
 
@@ -85,7 +21,7 @@ def _check_func(func: int) -> None:
 
 
 def glFog(m: Machine, pname: int, params: Any) -> None:
-    if pname == GL_FOG_COLOR:
+    if pname == gl.GL_FOG_COLOR:
         values = numbers(params)
         if len(values) < 3:
             raise ValueError(f"GL_FOG_COLOR needs four numbers, not {len(values)}")
@@ -93,22 +29,22 @@ def glFog(m: Machine, pname: int, params: Any) -> None:
         m.fog = m.fog._replace(color=color)
         return
     (value,) = exactly(params, 1, "this parameter")
-    if pname == GL_FOG_MODE:
-        if value not in (GL_LINEAR, GL_EXP, GL_EXP2):
+    if pname == gl.GL_FOG_MODE:
+        if value not in (gl.GL_LINEAR, gl.GL_EXP, gl.GL_EXP2):
             raise invalid_enum("GL_FOG_MODE", int(value), "GL_LINEAR, GL_EXP or GL_EXP2")
         m.fog = m.fog._replace(mode=int(value))
-    elif pname == GL_FOG_DENSITY:
+    elif pname == gl.GL_FOG_DENSITY:
         if not value >= 0:
             raise invalid_value("GL_FOG_DENSITY", value, "at least 0")
         m.fog = m.fog._replace(density=value)
-    elif pname == GL_FOG_START:
+    elif pname == gl.GL_FOG_START:
         m.fog = m.fog._replace(start=value)
-    elif pname == GL_FOG_END:
+    elif pname == gl.GL_FOG_END:
         m.fog = m.fog._replace(end=value)
-    elif pname == GL_FOG_INDEX:
+    elif pname == gl.GL_FOG_INDEX:
         m.fog = m.fog._replace(color_index=value)
-    elif pname == GL_FOG_COORDINATE_SOURCE:
-        if value not in (GL_FRAGMENT_DEPTH, GL_FOG_COORDINATE):
+    elif pname == gl.GL_FOG_COORDINATE_SOURCE:
+        if value not in (gl.GL_FRAGMENT_DEPTH, gl.GL_FOG_COORDINATE):
             raise invalid_enum("GL_FOG_COORDINATE_SOURCE", int(value), "GL_FRAGMENT_DEPTH or GL_FOG_COORDINATE")
         m.fog = m.fog._replace(coordinate_source=int(value))
     else:
@@ -139,7 +75,16 @@ def glStencilFunc(m: Machine, func: int, ref: int, mask: int) -> None:
     m.stencil = m.stencil._replace(func=int(func), reference=reference, value_mask=int(mask) & 0xFFFFFFFF)
 
 
-STENCIL_OPERATIONS = (GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP)
+STENCIL_OPERATIONS = (
+    gl.GL_KEEP,
+    gl.GL_ZERO,
+    gl.GL_REPLACE,
+    gl.GL_INCR,
+    gl.GL_DECR,
+    gl.GL_INVERT,
+    gl.GL_INCR_WRAP,
+    gl.GL_DECR_WRAP,
+)
 
 
 def glStencilOp(m: Machine, sfail: int, dpfail: int, dppass: int) -> None:
@@ -157,9 +102,11 @@ def glDepthFunc(m: Machine, func: int) -> None:
 # ---------------------------------------------------------------- blending and logic op
 
 SOURCE_AND_DESTINATION = {
-    GL_ZERO, GL_ONE, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_DST_COLOR, GL_ONE_MINUS_DST_COLOR, GL_SRC_ALPHA,
-    GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR,
-    GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA,
+    gl.GL_ZERO, gl.GL_ONE, gl.GL_SRC_COLOR, gl.GL_ONE_MINUS_SRC_COLOR, gl.GL_DST_COLOR, gl.GL_ONE_MINUS_DST_COLOR,
+    gl.GL_SRC_ALPHA,
+    gl.GL_ONE_MINUS_SRC_ALPHA, gl.GL_DST_ALPHA, gl.GL_ONE_MINUS_DST_ALPHA, gl.GL_CONSTANT_COLOR,
+    gl.GL_ONE_MINUS_CONSTANT_COLOR,
+    gl.GL_CONSTANT_ALPHA, gl.GL_ONE_MINUS_CONSTANT_ALPHA,
 }  # fmt: skip
 
 
@@ -169,13 +116,13 @@ def glBlendFunc(m: Machine, sfactor: int, dfactor: int) -> None:
 
 def glBlendFuncSeparate(m: Machine, srcRGB: int, dstRGB: int, srcAlpha: int, dstAlpha: int) -> None:
     for name, value in (("source", srcRGB), ("source", srcAlpha), ("destination", dstRGB), ("destination", dstAlpha)):
-        if value not in SOURCE_AND_DESTINATION and not (name == "source" and value == GL_SRC_ALPHA_SATURATE):
+        if value not in SOURCE_AND_DESTINATION and not (name == "source" and value == gl.GL_SRC_ALPHA_SATURATE):
             raise invalid_enum(f"the {name} factor", value, "a blending factor such as GL_SRC_ALPHA")
     m.color_buffer = m.color_buffer._replace(blend_function=(srcRGB, dstRGB, srcAlpha, dstAlpha))
 
 
 def glBlendEquation(m: Machine, mode: int) -> None:
-    if mode not in (GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX):
+    if mode not in (gl.GL_FUNC_ADD, gl.GL_FUNC_SUBTRACT, gl.GL_FUNC_REVERSE_SUBTRACT, gl.GL_MIN, gl.GL_MAX):
         raise invalid_enum("mode", mode, "GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN or GL_MAX")
     m.color_buffer = m.color_buffer._replace(blend_equation=mode)
 
@@ -185,7 +132,7 @@ def glBlendColor(m: Machine, red: float, green: float, blue: float, alpha: float
 
 
 def glLogicOp(m: Machine, op: int) -> None:
-    if not GL_CLEAR <= op <= GL_SET:
+    if not gl.GL_CLEAR <= op <= gl.GL_SET:
         raise invalid_enum("op", op, "one of the sixteen logic operations GL_CLEAR to GL_SET")
     m.color_buffer = m.color_buffer._replace(logic_op=op)
 
@@ -218,7 +165,7 @@ def glClearStencil(m: Machine, s: int) -> None:
 
 
 def glClear(m: Machine, mask: int) -> None:
-    known = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT
+    known = gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT | gl.GL_ACCUM_BUFFER_BIT
     if mask & ~known:
         raise invalid_value("mask", mask, "a sum of GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT and the like")
     m.add(Clear(int(mask), m.snapshot(), m.accum_clear))
@@ -235,7 +182,7 @@ def _signed(value: float) -> float:
 
 def glAccum(m: Machine, op: int, value: float) -> None:
     """The accumulation buffer: four float32 a pixel, so that nothing is rounded or clamped before GL_RETURN."""
-    if op not in (GL_ACCUM, GL_LOAD, GL_RETURN, GL_MULT, GL_ADD):
+    if op not in (gl.GL_ACCUM, gl.GL_LOAD, gl.GL_RETURN, gl.GL_MULT, gl.GL_ADD):
         raise invalid_enum("op", op, "GL_ACCUM, GL_LOAD, GL_RETURN, GL_MULT or GL_ADD")
     m.add(Accum(int(op), float(value), m.snapshot()))
 
@@ -251,8 +198,9 @@ def glIndexMask(m: Machine, mask: int) -> None:
 # ---------------------------------------------------------------- hints, flush
 
 HINTS = {
-    GL_PERSPECTIVE_CORRECTION_HINT, GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT, GL_FOG_HINT,
-    GL_GENERATE_MIPMAP_HINT, GL_TEXTURE_COMPRESSION_HINT, GL_PHONG_HINT_WIN,
+    gl.GL_PERSPECTIVE_CORRECTION_HINT, gl.GL_POINT_SMOOTH_HINT, gl.GL_LINE_SMOOTH_HINT, gl.GL_POLYGON_SMOOTH_HINT,
+    gl.GL_FOG_HINT,
+    gl.GL_GENERATE_MIPMAP_HINT, gl.GL_TEXTURE_COMPRESSION_HINT, gl.GL_PHONG_HINT_WIN,
 }  # fmt: skip
 
 
@@ -260,7 +208,7 @@ def glHint(m: Machine, target: int, hint: int) -> None:
     """Accepted; it has no effect."""
     if target not in HINTS:
         raise invalid_enum("target", target, "a hint such as GL_PERSPECTIVE_CORRECTION_HINT")
-    if hint not in (GL_FASTEST, GL_NICEST, GL_DONT_CARE):
+    if hint not in (gl.GL_FASTEST, gl.GL_NICEST, gl.GL_DONT_CARE):
         raise invalid_enum("hint", hint, "GL_FASTEST, GL_NICEST or GL_DONT_CARE")
     m.hints = {**m.hints, target: hint}
 

@@ -8,41 +8,7 @@ from typing import Any
 import numpy as np
 
 from glsim.gl.arguments import exactly, numbers
-from glsim.machine.constants import (
-    GL_AMBIENT,
-    GL_AMBIENT_AND_DIFFUSE,
-    GL_BACK,
-    GL_BLINN_TORRANCE_GLSIM,
-    GL_CLAMP_NORMAL_GLSIM,
-    GL_COLOR_INDEXES,
-    GL_CONSTANT_ATTENUATION,
-    GL_DIFFUSE,
-    GL_EMISSION,
-    GL_FLAT,
-    GL_FLIP_NORMAL_GLSIM,
-    GL_FRONT,
-    GL_FRONT_AND_BACK,
-    GL_LIGHT0,
-    GL_LIGHT_MODEL_AMBIENT,
-    GL_LIGHT_MODEL_BACK_LIGHTING_GLSIM,
-    GL_LIGHT_MODEL_COLOR_CONTROL,
-    GL_LIGHT_MODEL_LOCAL_VIEWER,
-    GL_LIGHT_MODEL_SPECULAR_LOBE_GLSIM,
-    GL_LIGHT_MODEL_TWO_SIDE,
-    GL_LINEAR_ATTENUATION,
-    GL_PHONG_LOBE_GLSIM,
-    GL_PHONG_WIN,
-    GL_POSITION,
-    GL_QUADRATIC_ATTENUATION,
-    GL_SEPARATE_SPECULAR_COLOR,
-    GL_SHININESS,
-    GL_SINGLE_COLOR,
-    GL_SMOOTH,
-    GL_SPECULAR,
-    GL_SPOT_CUTOFF,
-    GL_SPOT_DIRECTION,
-    GL_SPOT_EXPONENT,
-)
+from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.frame import ROW_BYTES
 from glsim.machine.machine import Machine
@@ -50,12 +16,12 @@ from glsim.machine.matrix import transform, transform_direction
 from glsim.machine.state import MAX_LIGHTS, Color, Face, Light, Material
 
 FACES = "GL_FRONT, GL_BACK or GL_FRONT_AND_BACK"
-LIGHT_COLORS: dict[int, str] = {GL_AMBIENT: "ambient", GL_DIFFUSE: "diffuse", GL_SPECULAR: "specular"}
-MATERIAL_COLORS: dict[int, str] = {**LIGHT_COLORS, GL_EMISSION: "emission"}
+LIGHT_COLORS: dict[int, str] = {gl.GL_AMBIENT: "ambient", gl.GL_DIFFUSE: "diffuse", gl.GL_SPECULAR: "specular"}
+MATERIAL_COLORS: dict[int, str] = {**LIGHT_COLORS, gl.GL_EMISSION: "emission"}
 ATTENUATIONS: dict[int, str] = {
-    GL_CONSTANT_ATTENUATION: "constant_attenuation",
-    GL_LINEAR_ATTENUATION: "linear_attenuation",
-    GL_QUADRATIC_ATTENUATION: "quadratic_attenuation",
+    gl.GL_CONSTANT_ATTENUATION: "constant_attenuation",
+    gl.GL_LINEAR_ATTENUATION: "linear_attenuation",
+    gl.GL_QUADRATIC_ATTENUATION: "quadratic_attenuation",
 }
 
 
@@ -71,7 +37,7 @@ def _color(params: Any) -> Color:
 
 def glShadeModel(m: Machine, mode: int) -> None:
     """GL_FLAT: the equation once per primitive; GL_SMOOTH: per vertex; GL_PHONG_WIN: per fragment."""
-    if mode not in (GL_FLAT, GL_SMOOTH, GL_PHONG_WIN):
+    if mode not in (gl.GL_FLAT, gl.GL_SMOOTH, gl.GL_PHONG_WIN):
         raise invalid_enum("mode", mode, "GL_FLAT, GL_SMOOTH or GL_PHONG_WIN")
     m.lighting = m.lighting._replace(shade_model=mode)
 
@@ -79,18 +45,18 @@ def glShadeModel(m: Machine, mode: int) -> None:
 def glMaterial(m: Machine, face: int, pname: int, params: Any) -> None:
     change = CHANGES.get(pname)
     if change is None:
-        if pname == GL_COLOR_INDEXES and face in (GL_FRONT, GL_BACK, GL_FRONT_AND_BACK):
+        if pname == gl.GL_COLOR_INDEXES and face in (gl.GL_FRONT, gl.GL_BACK, gl.GL_FRONT_AND_BACK):
             exactly(params, 3, "GL_COLOR_INDEXES")  # for colour-index mode, which no context has
             return
         expected = "GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION or GL_SHININESS"
         raise invalid_enum("pname", pname, expected)
-    if face not in (GL_FRONT, GL_BACK, GL_FRONT_AND_BACK):
+    if face not in (gl.GL_FRONT, gl.GL_BACK, gl.GL_FRONT_AND_BACK):
         raise invalid_enum("face", face, FACES)
-    value = _shininess(params) if pname == GL_SHININESS else _color(params)
+    value = _shininess(params) if pname == gl.GL_SHININESS else _color(params)
     front, back = m.material
-    if face == GL_FRONT_AND_BACK:
+    if face == gl.GL_FRONT_AND_BACK:
         front, back = change(front, value), change(back, value)
-    elif face == GL_FRONT:
+    elif face == gl.GL_FRONT:
         front = change(front, value)
     else:
         back = change(back, value)
@@ -105,12 +71,12 @@ _material: Callable[..., Material] = tuple.__new__
 
 # pname of glMaterial -> the face with one property changed.  Fields: ambient, diffuse, specular, emission, shininess.
 CHANGES: dict[int, Callable[[Face, Any], Face]] = {
-    GL_AMBIENT: lambda f, value: _face(Face, (value, f[1], f[2], f[3], f[4])),
-    GL_DIFFUSE: lambda f, value: _face(Face, (f[0], value, f[2], f[3], f[4])),
-    GL_AMBIENT_AND_DIFFUSE: lambda f, value: _face(Face, (value, value, f[2], f[3], f[4])),
-    GL_SPECULAR: lambda f, value: _face(Face, (f[0], f[1], value, f[3], f[4])),
-    GL_EMISSION: lambda f, value: _face(Face, (f[0], f[1], f[2], value, f[4])),
-    GL_SHININESS: lambda f, value: _face(Face, (f[0], f[1], f[2], f[3], value)),
+    gl.GL_AMBIENT: lambda f, value: _face(Face, (value, f[1], f[2], f[3], f[4])),
+    gl.GL_DIFFUSE: lambda f, value: _face(Face, (f[0], value, f[2], f[3], f[4])),
+    gl.GL_AMBIENT_AND_DIFFUSE: lambda f, value: _face(Face, (value, value, f[2], f[3], f[4])),
+    gl.GL_SPECULAR: lambda f, value: _face(Face, (f[0], f[1], value, f[3], f[4])),
+    gl.GL_EMISSION: lambda f, value: _face(Face, (f[0], f[1], f[2], value, f[4])),
+    gl.GL_SHININESS: lambda f, value: _face(Face, (f[0], f[1], f[2], f[3], value)),
 }
 
 
@@ -130,15 +96,15 @@ def current_material(m: Machine) -> Material:
     change = CHANGES[lighting.color_material_mode]
     front, back = m.material
     return Material(
-        front if lighting.color_material_face == GL_BACK else change(front, color),
-        back if lighting.color_material_face == GL_FRONT else change(back, color),
+        front if lighting.color_material_face == gl.GL_BACK else change(front, color),
+        back if lighting.color_material_face == gl.GL_FRONT else change(back, color),
     )
 
 
 def glColorMaterial(m: Machine, face: int, mode: int) -> None:
-    if face not in (GL_FRONT, GL_BACK, GL_FRONT_AND_BACK):
+    if face not in (gl.GL_FRONT, gl.GL_BACK, gl.GL_FRONT_AND_BACK):
         raise invalid_enum("face", face, FACES)
-    if mode not in CHANGES or mode == GL_SHININESS:
+    if mode not in CHANGES or mode == gl.GL_SHININESS:
         raise invalid_enum("mode", mode, "GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR or GL_EMISSION")
     m.material = current_material(m)  # what was tracked until now stays
     m.lighting = m.lighting._replace(color_material_face=face, color_material_mode=mode)
@@ -151,7 +117,7 @@ def set_color_material(m: Machine, enabled: bool) -> None:
 
 
 def _light_number(light: int) -> int:
-    number = light - GL_LIGHT0
+    number = light - gl.GL_LIGHT0
     if not 0 <= number < MAX_LIGHTS:
         raise invalid_enum("light", light, f"GL_LIGHT0 to GL_LIGHT{MAX_LIGHTS - 1}")
     return number
@@ -163,14 +129,14 @@ def glLight(m: Machine, light: int, pname: int, params: Any) -> None:
     old = m.lighting.lights[number]
     if pname in LIGHT_COLORS:
         new = old._replace(**{LIGHT_COLORS[pname]: _color(params)})  # type: ignore[arg-type]
-    elif pname == GL_POSITION:
+    elif pname == gl.GL_POSITION:
         values = numbers(params)
         if len(values) < 3:
             raise ValueError(f"GL_POSITION needs four numbers (x, y, z, w), not {len(values)}")
         position = np.array([*values, 0.0][:4], np.float32)  # a missing w: a direction
         eye = transform(m.modelview[-1].get(), position).tolist()
         new = old._replace(position=tuple(eye))
-    elif pname == GL_SPOT_DIRECTION:
+    elif pname == gl.GL_SPOT_DIRECTION:
         direction = np.array(exactly(params, 3, "GL_SPOT_DIRECTION"), np.float32)
         eye = transform_direction(m.modelview[-1].get(), direction).tolist()
         new = old._replace(spot_direction=tuple(eye))
@@ -181,12 +147,12 @@ def glLight(m: Machine, light: int, pname: int, params: Any) -> None:
 
 
 def _light_number_parameter(old: Light, pname: int, params: Any) -> Light:
-    if pname == GL_SPOT_EXPONENT:
+    if pname == gl.GL_SPOT_EXPONENT:
         (value,) = exactly(params, 1, "GL_SPOT_EXPONENT")
         if not 0.0 <= value <= 128.0:
             raise invalid_value("GL_SPOT_EXPONENT", value, "in [0, 128]")
         return old._replace(spot_exponent=value)
-    if pname == GL_SPOT_CUTOFF:
+    if pname == gl.GL_SPOT_CUTOFF:
         (value,) = exactly(params, 1, "GL_SPOT_CUTOFF")
         if not (0.0 <= value <= 90.0 or value == 180.0):
             raise invalid_value("GL_SPOT_CUTOFF", value, "an angle in [0, 90] degrees, or 180 for no spot")
@@ -201,13 +167,13 @@ def _light_number_parameter(old: Light, pname: int, params: Any) -> Light:
 
 def glLightModel(m: Machine, pname: int, params: Any) -> None:
     lighting = m.lighting
-    if pname == GL_LIGHT_MODEL_AMBIENT:
+    if pname == gl.GL_LIGHT_MODEL_AMBIENT:
         m.lighting = lighting._replace(ambient=_color(params))
         return
     (value,) = exactly(params, 1, "this parameter")
-    if pname == GL_LIGHT_MODEL_LOCAL_VIEWER:
+    if pname == gl.GL_LIGHT_MODEL_LOCAL_VIEWER:
         m.lighting = lighting._replace(local_viewer=value != 0.0)
-    elif pname == GL_LIGHT_MODEL_TWO_SIDE:
+    elif pname == gl.GL_LIGHT_MODEL_TWO_SIDE:
         m.lighting = lighting._replace(two_side=value != 0.0)
     elif pname in _LIGHT_MODEL_CHOICES:
         field, choices = _LIGHT_MODEL_CHOICES[pname]  # type: ignore[index]
@@ -220,9 +186,9 @@ def glLightModel(m: Machine, pname: int, params: Any) -> None:
 
 
 _LIGHT_MODEL_CHOICES = {
-    GL_LIGHT_MODEL_COLOR_CONTROL: ("color_control", (GL_SINGLE_COLOR, GL_SEPARATE_SPECULAR_COLOR)),
-    GL_LIGHT_MODEL_SPECULAR_LOBE_GLSIM: ("lobe", (GL_BLINN_TORRANCE_GLSIM, GL_PHONG_LOBE_GLSIM)),
-    GL_LIGHT_MODEL_BACK_LIGHTING_GLSIM: ("back_lighting", (GL_CLAMP_NORMAL_GLSIM, GL_FLIP_NORMAL_GLSIM)),
+    gl.GL_LIGHT_MODEL_COLOR_CONTROL: ("color_control", (gl.GL_SINGLE_COLOR, gl.GL_SEPARATE_SPECULAR_COLOR)),
+    gl.GL_LIGHT_MODEL_SPECULAR_LOBE_GLSIM: ("lobe", (gl.GL_BLINN_TORRANCE_GLSIM, gl.GL_PHONG_LOBE_GLSIM)),
+    gl.GL_LIGHT_MODEL_BACK_LIGHTING_GLSIM: ("back_lighting", (gl.GL_CLAMP_NORMAL_GLSIM, gl.GL_FLIP_NORMAL_GLSIM)),
 }
 
 
@@ -230,13 +196,13 @@ def glGetLight(m: Machine, light: int, pname: int) -> tuple[float, ...]:
     source = m.lighting.lights[_light_number(light)]
     if pname in LIGHT_COLORS:
         return getattr(source, LIGHT_COLORS[pname])  # type: ignore[no-any-return]
-    if pname == GL_POSITION:
+    if pname == gl.GL_POSITION:
         return source.position
-    if pname == GL_SPOT_DIRECTION:
+    if pname == gl.GL_SPOT_DIRECTION:
         return source.spot_direction
-    if pname == GL_SPOT_EXPONENT:
+    if pname == gl.GL_SPOT_EXPONENT:
         return (source.spot_exponent,)
-    if pname == GL_SPOT_CUTOFF:
+    if pname == gl.GL_SPOT_CUTOFF:
         return (source.spot_cutoff,)
     if pname in ATTENUATIONS:
         return (getattr(source, ATTENUATIONS[pname]),)
@@ -244,10 +210,10 @@ def glGetLight(m: Machine, light: int, pname: int) -> tuple[float, ...]:
 
 
 def glGetMaterial(m: Machine, face: int, pname: int) -> tuple[float, ...]:
-    if face not in (GL_FRONT, GL_BACK):
+    if face not in (gl.GL_FRONT, gl.GL_BACK):
         raise invalid_enum("face", face, "GL_FRONT or GL_BACK")
-    side = current_material(m)[0 if face == GL_FRONT else 1]
-    if pname == GL_SHININESS:
+    side = current_material(m)[0 if face == gl.GL_FRONT else 1]
+    if pname == gl.GL_SHININESS:
         return (side.shininess,)
     if pname not in MATERIAL_COLORS:
         raise invalid_enum("pname", pname, "GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION or GL_SHININESS")

@@ -8,21 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from glsim.gl.texture import free_name
+from glsim.machine import constants as gl
 from glsim.machine.commands import COMMANDS
-from glsim.machine.constants import (
-    GL_2_BYTES,
-    GL_3_BYTES,
-    GL_4_BYTES,
-    GL_BYTE,
-    GL_COMPILE,
-    GL_COMPILE_AND_EXECUTE,
-    GL_FLOAT,
-    GL_INT,
-    GL_SHORT,
-    GL_UNSIGNED_BYTE,
-    GL_UNSIGNED_INT,
-    GL_UNSIGNED_SHORT,
-)
 from glsim.machine.errors import GLError, invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Call, Draw
 from glsim.machine.geometry import Geometry
@@ -51,11 +38,11 @@ Item = tuple[int, Geometry | Call | Unpacking]  # with the number of the last ca
 def glNewList(m: Machine, n: int, mode: int) -> None:
     if n <= 0:
         raise invalid_value("n", n, "the number of a list, more than 0")
-    if mode not in (GL_COMPILE, GL_COMPILE_AND_EXECUTE):
+    if mode not in (gl.GL_COMPILE, gl.GL_COMPILE_AND_EXECUTE):
         raise invalid_enum("mode", mode, "GL_COMPILE or GL_COMPILE_AND_EXECUTE")
     if m.compiling is not None:
         raise invalid_operation(f"list {m.compiling.number} has no glEndList yet")
-    m.compiling = ListRecorder(m, int(n), mode == GL_COMPILE_AND_EXECUTE)
+    m.compiling = ListRecorder(m, int(n), mode == gl.GL_COMPILE_AND_EXECUTE)
     m.record(m.compiling)
 
 
@@ -127,8 +114,8 @@ def glCallList(m: Machine, n: int) -> None:
 
 
 LIST_TYPES: dict[int, str] = {
-    GL_BYTE: "i1", GL_UNSIGNED_BYTE: "u1", GL_SHORT: "i2", GL_UNSIGNED_SHORT: "u2", GL_INT: "i4",
-    GL_UNSIGNED_INT: "u4", GL_FLOAT: "f4", GL_2_BYTES: "2", GL_3_BYTES: "3", GL_4_BYTES: "4",
+    gl.GL_BYTE: "i1", gl.GL_UNSIGNED_BYTE: "u1", gl.GL_SHORT: "i2", gl.GL_UNSIGNED_SHORT: "u2", gl.GL_INT: "i4",
+    gl.GL_UNSIGNED_INT: "u4", gl.GL_FLOAT: "f4", gl.GL_2_BYTES: "2", gl.GL_3_BYTES: "3", gl.GL_4_BYTES: "4",
 }  # fmt: skip
 
 

@@ -7,14 +7,14 @@ from typing import Any
 import numpy as np
 
 from glsim.gl.arguments import exactly, matrix16, unit, whole
+from glsim.machine import constants as gl
 from glsim.machine import matrix
-from glsim.machine.constants import GL_CLIP_PLANE0, GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE
 from glsim.machine.errors import invalid_enum, invalid_value, stack_overflow, stack_underflow
 from glsim.machine.machine import STACK_DEPTH, Machine
 from glsim.machine.matrix import Matrix
 from glsim.machine.state import MAX_CLIP_PLANES, Color
 
-NAMES: dict[int, str] = {GL_MODELVIEW: "modelview", GL_PROJECTION: "projection", GL_TEXTURE: "texture"}
+NAMES: dict[int, str] = {gl.GL_MODELVIEW: "modelview", gl.GL_PROJECTION: "projection", gl.GL_TEXTURE: "texture"}
 
 
 def glMatrixMode(m: Machine, mode: int) -> None:
@@ -111,7 +111,7 @@ def glDepthRange(m: Machine, zNear: float, zFar: float) -> None:
 
 def glClipPlane(m: Machine, plane: int, equation: Any) -> None:
     """Keeps a x + b y + c z + d w >= 0; taken to eye space NOW by the inverse of the modelview (section 2.12)."""
-    number = plane - GL_CLIP_PLANE0
+    number = plane - gl.GL_CLIP_PLANE0
     if not 0 <= number < MAX_CLIP_PLANES:
         raise invalid_enum("plane", plane, f"GL_CLIP_PLANE0 to GL_CLIP_PLANE{MAX_CLIP_PLANES - 1}")
     a, b, c, d = exactly(equation, 4, "equation")
@@ -132,7 +132,7 @@ def in_eye_space(m: Machine, plane: Color) -> Color:
 
 
 def glGetClipPlane(m: Machine, plane: int) -> Any:
-    number = plane - GL_CLIP_PLANE0
+    number = plane - gl.GL_CLIP_PLANE0
     if not 0 <= number < MAX_CLIP_PLANES:
         raise invalid_enum("plane", plane, f"GL_CLIP_PLANE0 to GL_CLIP_PLANE{MAX_CLIP_PLANES - 1}")
     return np.array(m.transform.clip_planes[number], np.float64)

@@ -8,42 +8,7 @@ import numpy as np
 
 from glsim.gl.arguments import numbers
 from glsim.gl.texture import deliver
-from glsim.machine.constants import (
-    GL_ALPHA_BIAS,
-    GL_ALPHA_SCALE,
-    GL_AUX0,
-    GL_BACK,
-    GL_BACK_LEFT,
-    GL_BACK_RIGHT,
-    GL_BITMAP,
-    GL_BLUE_BIAS,
-    GL_BLUE_SCALE,
-    GL_COLOR,
-    GL_COLOR_INDEX,
-    GL_DEPTH,
-    GL_DEPTH_BIAS,
-    GL_DEPTH_COMPONENT,
-    GL_DEPTH_SCALE,
-    GL_FRONT,
-    GL_FRONT_AND_BACK,
-    GL_FRONT_LEFT,
-    GL_FRONT_RIGHT,
-    GL_GREEN_BIAS,
-    GL_GREEN_SCALE,
-    GL_INDEX_OFFSET,
-    GL_INDEX_SHIFT,
-    GL_LEFT,
-    GL_MAP_COLOR,
-    GL_MAP_STENCIL,
-    GL_NONE,
-    GL_PIXEL_MAP_I_TO_I,
-    GL_PIXEL_MAP_S_TO_S,
-    GL_RED_BIAS,
-    GL_RED_SCALE,
-    GL_RIGHT,
-    GL_STENCIL,
-    GL_STENCIL_INDEX,
-)
+from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Pixels
 from glsim.machine.machine import Machine
@@ -67,7 +32,7 @@ from glsim.machine.types import DTYPES, fill, plain
 LARGEST_RECTANGLE = 16384
 MOST_PIXELS = 1 << 26  # of a rectangle, if the picture itself has not more
 MAX_PIXEL_MAP_TABLE = 256
-INDEXED = (GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S, *INDEX_MAPS)  # maps whose size is a power of two
+INDEXED = (gl.GL_PIXEL_MAP_I_TO_I, gl.GL_PIXEL_MAP_S_TO_S, *INDEX_MAPS)  # maps whose size is a power of two
 
 
 # ---------------------------------------------------------------- how pixels lie in memory, and change on their way
@@ -92,12 +57,13 @@ def glPixelStore(m: Machine, pname: int, param: float) -> None:
         m.pack_store = store
 
 
-SCALES: dict[int, int] = {GL_RED_SCALE: 0, GL_GREEN_SCALE: 1, GL_BLUE_SCALE: 2, GL_ALPHA_SCALE: 3}
-BIASES: dict[int, int] = {GL_RED_BIAS: 0, GL_GREEN_BIAS: 1, GL_BLUE_BIAS: 2, GL_ALPHA_BIAS: 3}
+SCALES: dict[int, int] = {gl.GL_RED_SCALE: 0, gl.GL_GREEN_SCALE: 1, gl.GL_BLUE_SCALE: 2, gl.GL_ALPHA_SCALE: 3}
+BIASES: dict[int, int] = {gl.GL_RED_BIAS: 0, gl.GL_GREEN_BIAS: 1, gl.GL_BLUE_BIAS: 2, gl.GL_ALPHA_BIAS: 3}
 TRANSFERS: dict[int, tuple[str, type]] = {
-    GL_MAP_COLOR: ("map_color", bool), GL_MAP_STENCIL: ("map_stencil", bool), GL_INDEX_SHIFT: ("index_shift", int),
-    GL_INDEX_OFFSET: ("index_offset", int), GL_DEPTH_SCALE: ("depth_scale", float),
-    GL_DEPTH_BIAS: ("depth_bias", float),
+    gl.GL_MAP_COLOR: ("map_color", bool), gl.GL_MAP_STENCIL: ("map_stencil", bool),
+    gl.GL_INDEX_SHIFT: ("index_shift", int),
+    gl.GL_INDEX_OFFSET: ("index_offset", int), gl.GL_DEPTH_SCALE: ("depth_scale", float),
+    gl.GL_DEPTH_BIAS: ("depth_bias", float),
 }  # fmt: skip
 
 
@@ -124,7 +90,7 @@ def glPixelMap(m: Machine, map: int, size: int, values: Any) -> None:
     table = numbers(values)[:size]
     if len(table) < size:
         raise ValueError(f"glPixelMap: values needs {size} numbers, not {len(table)}")
-    if map not in (GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S):
+    if map not in (gl.GL_PIXEL_MAP_I_TO_I, gl.GL_PIXEL_MAP_S_TO_S):
         table = tuple(min(max(value, 0.0), 1.0) for value in table)
     at = MAPS.index(map)
     m.pixel = m.pixel._replace(maps=(*m.pixel.maps[:at], table, *m.pixel.maps[at + 1 :]))
@@ -147,7 +113,7 @@ def glPixelMapusv(m: Machine, map: int, size: Any, values: Any = None) -> None:
 
 def _pixel_map(m: Machine, map: int, size: Any, values: Any, one: float) -> None:
     given = numbers(size if values is None else values)
-    if map not in (GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S):
+    if map not in (gl.GL_PIXEL_MAP_I_TO_I, gl.GL_PIXEL_MAP_S_TO_S):
         given = tuple(value / one for value in given)
     glPixelMap(m, map, len(given) if values is None else int(size), given)
 
@@ -175,7 +141,7 @@ def glGetPixelMapusv(m: Machine, map: int, values: Any = None) -> Any:
 def _get_pixel_map(m: Machine, map: int, values: Any, one: float, dtype: type) -> Any:
     _check_map(map)
     table = np.array(m.pixel.map(map), np.float64)
-    if map not in (GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S):
+    if map not in (gl.GL_PIXEL_MAP_I_TO_I, gl.GL_PIXEL_MAP_S_TO_S):
         table = table * one
     found: Any = table.astype(dtype)
     return found if values is None else fill(values, found)
@@ -205,20 +171,20 @@ def glDrawPixels(m: Machine, width: int, height: int, format: int, type: int, pi
     """Draw a rectangle from the program's memory with its lower left corner at the current raster position."""
     _check_size(m, width, height)
     check(format, type)
-    if format == GL_STENCIL_INDEX and type == GL_BITMAP and pixels is None:
+    if format == gl.GL_STENCIL_INDEX and type == gl.GL_BITMAP and pixels is None:
         raise ValueError("pixels is None: pass bytes or an array")
     if not m.raster.valid:
         return
     values = unpack(m.unpack_store, (int(height), int(width)), format, type, pixels)
-    if format == GL_STENCIL_INDEX:
+    if format == gl.GL_STENCIL_INDEX:
         _add(m, "stencil", stencils(m.pixel, values), None)
-    elif format == GL_DEPTH_COMPONENT:
+    elif format == gl.GL_DEPTH_COMPONENT:
         _add(m, "depth", depths(m.pixel, values), None)
     else:
         _add(m, "color", colors(m.pixel, format, values), None)
 
 
-KINDS: dict[int, str] = {GL_COLOR: "color", GL_DEPTH: "depth", GL_STENCIL: "stencil"}
+KINDS: dict[int, str] = {gl.GL_COLOR: "color", gl.GL_DEPTH: "depth", gl.GL_STENCIL: "stencil"}
 
 
 def glCopyPixels(m: Machine, x: int, y: int, width: int, height: int, type: int) -> None:
@@ -239,7 +205,7 @@ def glBitmap(
     if not raster.valid:
         return
     if bitmap is not None and width and height:
-        bits = unpack(m.unpack_store, (int(height), int(width)), GL_COLOR_INDEX, GL_BITMAP, bitmap)
+        bits = unpack(m.unpack_store, (int(height), int(width)), gl.GL_COLOR_INDEX, gl.GL_BITMAP, bitmap)
         at = raster._replace(x=float(np.floor(raster.x + 1e-4 - xorig)), y=float(np.floor(raster.y + 1e-4 - yorig)))
         m.add(Pixels("bitmap", bits, None, at, m.pixel, m.snapshot()), bits.nbytes)
     m.raster = raster._replace(x=raster.x + xmove, y=raster.y + ymove)
@@ -248,8 +214,8 @@ def glBitmap(
 # ---------------------------------------------------------------- reading, and the choice of buffers
 
 # There is one colour buffer: front and back, left, are the same picture.
-BUFFERS = (GL_FRONT, GL_BACK, GL_LEFT, GL_FRONT_LEFT, GL_BACK_LEFT)
-ABSENT = (GL_RIGHT, GL_FRONT_RIGHT, GL_BACK_RIGHT, *(GL_AUX0 + k for k in range(4)))
+BUFFERS = (gl.GL_FRONT, gl.GL_BACK, gl.GL_LEFT, gl.GL_FRONT_LEFT, gl.GL_BACK_LEFT)
+ABSENT = (gl.GL_RIGHT, gl.GL_FRONT_RIGHT, gl.GL_BACK_RIGHT, *(gl.GL_AUX0 + k for k in range(4)))
 
 
 def _check_buffer(argument: str, buffer: int, allowed: tuple[int, ...]) -> None:
@@ -261,13 +227,13 @@ def _check_buffer(argument: str, buffer: int, allowed: tuple[int, ...]) -> None:
 
 def glDrawBuffer(m: Machine, buf: int) -> None:
     """GL_NONE switches colours off; front and back are the same picture."""
-    _check_buffer("buf", buf, (*BUFFERS, GL_FRONT_AND_BACK, GL_NONE))
+    _check_buffer("buf", buf, (*BUFFERS, gl.GL_FRONT_AND_BACK, gl.GL_NONE))
     m.color_buffer = m.color_buffer._replace(draw_buffer=buf)
 
 
 def glReadBuffer(m: Machine, src: int) -> None:
     """Front and back are the same picture."""
-    _check_buffer("src", src, (*BUFFERS, GL_FRONT_AND_BACK, GL_NONE))
+    _check_buffer("src", src, (*BUFFERS, gl.GL_FRONT_AND_BACK, gl.GL_NONE))
     m.pixel = m.pixel._replace(read_buffer=src)
 
 
@@ -278,22 +244,22 @@ def glReadPixels(
     """Pixels, bottom row first.  As PyOpenGL: bytes for GL_UNSIGNED_BYTE, else an array; or into ``array``."""
     _check_size(m, width, height)
     check(format, type)
-    if format == GL_COLOR_INDEX:
+    if format == gl.GL_COLOR_INDEX:
         raise invalid_operation("colour indices can only be read in colour-index mode, which is not emulated")
-    if type == GL_BITMAP:
+    if type == gl.GL_BITMAP:
         raise invalid_enum("type", type, "GL_UNSIGNED_BYTE or another number type")
-    if m.pixel.read_buffer == GL_NONE and format not in (GL_DEPTH_COMPONENT, GL_STENCIL_INDEX):
+    if m.pixel.read_buffer == gl.GL_NONE and format not in (gl.GL_DEPTH_COMPONENT, gl.GL_STENCIL_INDEX):
         raise invalid_operation("glReadBuffer(GL_NONE) left no colours to read")
-    for buffer, wanted in (("depth", GL_DEPTH_COMPONENT), ("stencil", GL_STENCIL_INDEX)):
+    for buffer, wanted in (("depth", gl.GL_DEPTH_COMPONENT), ("stencil", gl.GL_STENCIL_INDEX)):
         if format == wanted and m.device.describe().get(f"{buffer}_bits") == 0:
             raise invalid_operation(
                 f"the window has no {buffer} buffer: add GLUT_{buffer.upper()} to glutInitDisplayMode"
             )
     rectangle = int(x), int(y), int(width), int(height)
     m.flush()
-    if format == GL_DEPTH_COMPONENT:
+    if format == gl.GL_DEPTH_COMPONENT:
         values = as_numbers(depths(m.pixel, m.device.read(*rectangle, "depth")[..., None]), DTYPES[type])
-    elif format == GL_STENCIL_INDEX:
+    elif format == gl.GL_STENCIL_INDEX:
         values = stencils(m.pixel, m.device.read(*rectangle, "stencil")[..., None]).astype(DTYPES[type])
     else:
         values = pack_colors(format, type, transferred(m.pixel, m.device.read(*rectangle, "color")))

@@ -7,22 +7,7 @@ from typing import Any
 import numpy as np
 
 from glsim.gl.arguments import exactly, numbers
-from glsim.machine.constants import (
-    GL_BACK,
-    GL_BITMAP,
-    GL_CCW,
-    GL_COLOR_INDEX,
-    GL_CW,
-    GL_FILL,
-    GL_FRONT,
-    GL_FRONT_AND_BACK,
-    GL_LINE,
-    GL_POINT,
-    GL_POINT_DISTANCE_ATTENUATION,
-    GL_POINT_FADE_THRESHOLD_SIZE,
-    GL_POINT_SIZE_MAX,
-    GL_POINT_SIZE_MIN,
-)
+from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.machine import Machine
 from glsim.machine.pixels import unpack
@@ -39,14 +24,14 @@ def glPointSize(m: Machine, size: float) -> None:
 
 
 POINT_PARAMETERS: dict[int, str] = {
-    GL_POINT_SIZE_MIN: "size_min",
-    GL_POINT_SIZE_MAX: "size_max",
-    GL_POINT_FADE_THRESHOLD_SIZE: "fade_threshold",
+    gl.GL_POINT_SIZE_MIN: "size_min",
+    gl.GL_POINT_SIZE_MAX: "size_max",
+    gl.GL_POINT_FADE_THRESHOLD_SIZE: "fade_threshold",
 }
 
 
 def glPointParameter(m: Machine, pname: int, params: Any) -> None:
-    if pname == GL_POINT_DISTANCE_ATTENUATION:
+    if pname == gl.GL_POINT_DISTANCE_ATTENUATION:
         a, b, c = exactly(params, 3, "GL_POINT_DISTANCE_ATTENUATION")
         m.point = m.point._replace(distance_attenuation=(a, b, c))
         return
@@ -70,24 +55,24 @@ def glLineStipple(m: Machine, factor: int, pattern: int) -> None:
 
 
 def glCullFace(m: Machine, mode: int) -> None:
-    if mode not in (GL_FRONT, GL_BACK, GL_FRONT_AND_BACK):
+    if mode not in (gl.GL_FRONT, gl.GL_BACK, gl.GL_FRONT_AND_BACK):
         raise invalid_enum("mode", mode, "GL_FRONT, GL_BACK or GL_FRONT_AND_BACK")
     m.polygon = m.polygon._replace(cull_face=mode)
 
 
 def glFrontFace(m: Machine, mode: int) -> None:
-    if mode not in (GL_CW, GL_CCW):
+    if mode not in (gl.GL_CW, gl.GL_CCW):
         raise invalid_enum("mode", mode, "GL_CW or GL_CCW")
     m.polygon = m.polygon._replace(front_face=mode)
 
 
 def glPolygonMode(m: Machine, face: int, mode: int) -> None:
-    if face not in (GL_FRONT, GL_BACK, GL_FRONT_AND_BACK):
+    if face not in (gl.GL_FRONT, gl.GL_BACK, gl.GL_FRONT_AND_BACK):
         raise invalid_enum("face", face, "GL_FRONT, GL_BACK or GL_FRONT_AND_BACK")
-    if mode not in (GL_POINT, GL_LINE, GL_FILL):
+    if mode not in (gl.GL_POINT, gl.GL_LINE, gl.GL_FILL):
         raise invalid_enum("mode", mode, "GL_POINT, GL_LINE or GL_FILL")
-    front = mode if face != GL_BACK else m.polygon.front_mode
-    back = mode if face != GL_FRONT else m.polygon.back_mode
+    front = mode if face != gl.GL_BACK else m.polygon.front_mode
+    back = mode if face != gl.GL_FRONT else m.polygon.back_mode
     m.polygon = m.polygon._replace(front_mode=front, back_mode=back)
 
 
@@ -99,7 +84,7 @@ def glPolygonStipple(m: Machine, mask: Any) -> None:
     """mask: a bitmap of 32 x 32 pixels, rows from the bottom, or PyOpenGL's (32, 32) array of ones and zeros."""
     bits = np.asarray(numbers(mask)) if raw_bytes(mask) is None and np.size(mask) == 1024 else None
     if bits is None:
-        bits = unpack(m.unpack_store, (32, 32), GL_COLOR_INDEX, GL_BITMAP, mask)
+        bits = unpack(m.unpack_store, (32, 32), gl.GL_COLOR_INDEX, gl.GL_BITMAP, mask)
     rows = np.packbits(bits.reshape(32, 32) != 0, axis=1).view(">u4").ravel().tolist()
     m.polygon_stipple = m.polygon_stipple._replace(rows=tuple(rows))
 

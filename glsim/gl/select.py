@@ -13,35 +13,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.machine import constants as gl
 from glsim.machine.assembly import complete, corners, counterclockwise, outlines
 from glsim.machine.clipping import BOUNDARY, INTERIOR, VIEW_PLANES, clipped, edge_kinds
 from glsim.machine.clipping import distances as clip_distances
-from glsim.machine.constants import (
-    GL_2D,
-    GL_3D,
-    GL_3D_COLOR,
-    GL_3D_COLOR_TEXTURE,
-    GL_4D_COLOR_TEXTURE,
-    GL_BACK,
-    GL_BITMAP_TOKEN,
-    GL_CCW,
-    GL_COPY_PIXEL_TOKEN,
-    GL_DRAW_PIXEL_TOKEN,
-    GL_FEEDBACK,
-    GL_FILL,
-    GL_FLAT,
-    GL_FRONT,
-    GL_LINE_LOOP,
-    GL_LINE_RESET_TOKEN,
-    GL_LINE_TOKEN,
-    GL_LINES,
-    GL_PASS_THROUGH_TOKEN,
-    GL_POINT,
-    GL_POINT_TOKEN,
-    GL_POLYGON_TOKEN,
-    GL_RENDER,
-    GL_SELECT,
-)
 from glsim.machine.errors import (
     invalid_enum,
     invalid_operation,
@@ -134,8 +109,8 @@ class Feedback:
         self.records.append((token, *(FeedbackVertex(*part) for part in parts)))
 
     def pass_through(self, token: float) -> None:
-        self._append([float(GL_PASS_THROUGH_TOKEN), token])
-        self.records.append((GL_PASS_THROUGH_TOKEN, token))
+        self._append([float(gl.GL_PASS_THROUGH_TOKEN), token])
+        self.records.append((gl.GL_PASS_THROUGH_TOKEN, token))
 
     def _append(self, values: list[float]) -> None:
         room = values[: max(len(self.buffer) - self.used, 0)]
@@ -144,9 +119,9 @@ class Feedback:
 
     def _parts(self, vertex: Float) -> tuple[Any, Any, Any]:
         row = vertex.astype(np.float32)
-        size = {GL_2D: 2, GL_4D_COLOR_TEXTURE: 4}.get(self.type, 3)  # type: ignore[call-overload]
-        color = row[4:8] if self.type not in (GL_2D, GL_3D) else None
-        texture = row[8:12] if self.type in (GL_3D_COLOR_TEXTURE, GL_4D_COLOR_TEXTURE) else None
+        size = {gl.GL_2D: 2, gl.GL_4D_COLOR_TEXTURE: 4}.get(self.type, 3)  # type: ignore[call-overload]
+        color = row[4:8] if self.type not in (gl.GL_2D, gl.GL_3D) else None
+        texture = row[8:12] if self.type in (gl.GL_3D_COLOR_TEXTURE, gl.GL_4D_COLOR_TEXTURE) else None
         return row[:size], color, texture
 
 
@@ -155,8 +130,8 @@ class Feedback:
 
 def render_mode(m: Machine) -> int:
     if m.collector is None:
-        return GL_RENDER
-    return GL_SELECT if m.collector.__name__ == "_select" else GL_FEEDBACK
+        return gl.GL_RENDER
+    return gl.GL_SELECT if m.collector.__name__ == "_select" else gl.GL_FEEDBACK
 
 
 def glSelectBuffer(m: Machine, size: int, buffer: Any = None) -> Any:
@@ -180,7 +155,7 @@ def _buffer(size: int, buffer: Any, dtype: type) -> Any:
     return array.reshape(-1)
 
 
-FEEDBACK_TYPES = (GL_2D, GL_3D, GL_3D_COLOR, GL_3D_COLOR_TEXTURE, GL_4D_COLOR_TEXTURE)
+FEEDBACK_TYPES = (gl.GL_2D, gl.GL_3D, gl.GL_3D_COLOR, gl.GL_3D_COLOR_TEXTURE, gl.GL_4D_COLOR_TEXTURE)
 
 
 def glFeedbackBuffer(m: Machine, size: int, type: int, buffer: Any = None) -> Any:
@@ -196,22 +171,22 @@ def glFeedbackBuffer(m: Machine, size: int, type: int, buffer: Any = None) -> An
 def glRenderMode(m: Machine, mode: int) -> Any:
     """Begin GL_SELECT or GL_FEEDBACK, or end it.  As PyOpenGL, ending returns a list: SelectRecord for each hit, or
     (token, FeedbackVertex, ...) for each primitive.  Raises GL_STACK_OVERFLOW if the buffer was too small."""
-    if mode not in (GL_RENDER, GL_SELECT, GL_FEEDBACK):
+    if mode not in (gl.GL_RENDER, gl.GL_SELECT, gl.GL_FEEDBACK):
         raise invalid_enum("mode", mode, "GL_RENDER, GL_SELECT or GL_FEEDBACK")
-    if (mode == GL_SELECT and m.selection is None) or (mode == GL_FEEDBACK and m.feedback is None):
-        name = "glSelectBuffer" if mode == GL_SELECT else "glFeedbackBuffer"
+    if (mode == gl.GL_SELECT and m.selection is None) or (mode == gl.GL_FEEDBACK and m.feedback is None):
+        name = "glSelectBuffer" if mode == gl.GL_SELECT else "glFeedbackBuffer"
         raise invalid_operation(f"call {name} first, so that there is room for what is found")
     m.flush()
     before, result = render_mode(m), 0
-    if before == GL_SELECT:
+    if before == gl.GL_SELECT:
         m.selection.close()
     selection, feedback = m.selection, m.feedback
     _enter(m, mode)
-    if before == GL_SELECT:
+    if before == gl.GL_SELECT:
         if selection.overflow:
             raise stack_overflow(f"the buffer of glSelectBuffer holds {len(selection.buffer)} numbers: too few")
         return selection.parse()
-    if before == GL_FEEDBACK:
+    if before == gl.GL_FEEDBACK:
         if feedback.used > len(feedback.buffer):
             raise stack_overflow(f"the buffer of glFeedbackBuffer holds {len(feedback.buffer)} numbers: too few")
         return feedback.records
@@ -219,7 +194,7 @@ def glRenderMode(m: Machine, mode: int) -> Any:
 
 
 def _enter(m: Machine, mode: int) -> None:
-    if mode == GL_SELECT:
+    if mode == gl.GL_SELECT:
         selection = m.selection = Selection(m.selection.buffer)
 
         def _select(packets: list[Packet]) -> None:
@@ -228,7 +203,7 @@ def _enter(m: Machine, mode: int) -> None:
                     select(selection, draw)
 
         m.collector = _select
-    elif mode == GL_FEEDBACK:
+    elif mode == gl.GL_FEEDBACK:
         feedback = m.feedback = Feedback(m.feedback.buffer, m.feedback.type)
 
         def _feed_back(packets: list[Packet]) -> None:
@@ -242,7 +217,7 @@ def _enter(m: Machine, mode: int) -> None:
 
 def _selecting(m: Machine) -> Selection | None:
     """The selection in selection mode, with its hit record closed: the name stack is about to change."""
-    if render_mode(m) != GL_SELECT:
+    if render_mode(m) != gl.GL_SELECT:
         return None
     m.flush()
     selection: Selection = m.selection
@@ -273,7 +248,7 @@ def glPopName(m: Machine) -> None:
 
 
 def glLoadName(m: Machine, name: int) -> None:
-    if render_mode(m) == GL_SELECT and not m.selection.names:
+    if render_mode(m) == gl.GL_SELECT and not m.selection.names:
         raise invalid_operation("the name stack is empty: call glPushName first")
     selection = _selecting(m)
     if selection is not None:
@@ -281,14 +256,14 @@ def glLoadName(m: Machine, name: int) -> None:
 
 
 def glPassThrough(m: Machine, token: float) -> None:
-    if render_mode(m) == GL_FEEDBACK:
+    if render_mode(m) == gl.GL_FEEDBACK:
         m.flush()
         m.feedback.pass_through(float(token))
 
 
 def raster_hit(m: Machine) -> None:
     """A valid raster position is a hit in selection mode."""
-    if m.collector is not None and render_mode(m) == GL_SELECT:
+    if m.collector is not None and render_mode(m) == gl.GL_SELECT:
         m.flush()
         m.selection.note(m.raster.z, m.raster.z)
 
@@ -314,8 +289,8 @@ def _shapes(draw: Draw) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
     elif kind == 1:
         shapes, provoking = i[:, None], i
     else:
-        shapes = i.reshape(-1, 2) if draw.mode == GL_LINES else np.stack([i[:-1], i[1:]], axis=1)
-        if draw.mode == GL_LINE_LOOP and whole:
+        shapes = i.reshape(-1, 2) if draw.mode == gl.GL_LINES else np.stack([i[:-1], i[1:]], axis=1)
+        if draw.mode == gl.GL_LINE_LOOP and whole:
             shapes = np.concatenate([shapes, [[whole - 1, 0]]]).astype(np.uint32)
         provoking = shapes[:, 1]
     numbers = (np.arange(count, dtype=np.uint32) if draw.indices is None else draw.indices) + np.uint32(draw.first)
@@ -324,7 +299,7 @@ def _shapes(draw: Draw) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
 
 def _culled(draw: Draw, front: bool) -> bool:
     polygon = draw.state.polygon
-    return polygon.cull and polygon.cull_face not in (GL_BACK if front else GL_FRONT,)
+    return polygon.cull and polygon.cull_face not in (gl.GL_BACK if front else gl.GL_FRONT,)
 
 
 def _left(rows: Float, distances: Float, kind: int) -> Float:
@@ -350,7 +325,7 @@ def select(selection: Selection, draw: Draw) -> None:
     depth = window(stage.clip, draw.state.viewport)[:, 2]
     kind = corners(draw.mode)
     if kind == 3 and draw.state.polygon.cull:
-        front = np.equal(counterclockwise(stage.clip[places]), draw.state.polygon.front_face == GL_CCW)
+        front = np.equal(counterclockwise(stage.clip[places]), draw.state.polygon.front_face == gl.GL_CCW)
         culled = np.where(front, _culled(draw, True), _culled(draw, False))
         whole, partly = whole & ~culled, partly & ~culled
     if whole.any():
@@ -368,19 +343,19 @@ def select(selection: Selection, draw: Draw) -> None:
 
 def feed_back(feedback: Feedback, packet: Packet) -> None:
     if isinstance(packet, Pixels):
-        tokens = {"bitmap": GL_BITMAP_TOKEN}
-        token = GL_COPY_PIXEL_TOKEN if packet.copied else tokens.get(packet.kind, GL_DRAW_PIXEL_TOKEN)
+        tokens = {"bitmap": gl.GL_BITMAP_TOKEN}
+        token = gl.GL_COPY_PIXEL_TOKEN if packet.copied else tokens.get(packet.kind, gl.GL_DRAW_PIXEL_TOKEN)
         feedback.write(token, _raster_row(packet.raster))
     elif isinstance(packet, Draw):
         for primitive in _primitives(packet):
             rows = primitive.rows.copy()
             rows[:, :4] = window(rows[:, :4], packet.state.viewport)
             if primitive.corners == 1:
-                feedback.write(GL_POINT_TOKEN, *rows)
+                feedback.write(gl.GL_POINT_TOKEN, *rows)
             elif primitive.corners == 2:
-                feedback.write(GL_LINE_RESET_TOKEN if primitive.reset else GL_LINE_TOKEN, *rows)
+                feedback.write(gl.GL_LINE_RESET_TOKEN if primitive.reset else gl.GL_LINE_TOKEN, *rows)
             else:
-                feedback.write(GL_POLYGON_TOKEN, *rows, count=True)
+                feedback.write(gl.GL_POLYGON_TOKEN, *rows, count=True)
 
 
 def _raster_row(raster: RasterPosition) -> Float:
@@ -396,12 +371,12 @@ def _primitives(draw: Draw) -> Iterator[Primitive]:
     stage = vertex_stage(draw, chosen.astype(np.uint32), 1)
     distances = clip_distances(stage.clip, stage.eye, draw.state.transform)
     kind, polygon = corners(draw.mode), draw.state.polygon
-    flat = draw.state.lighting.shade_model == GL_FLAT
+    flat = draw.state.lighting.shade_model == gl.GL_FLAT
     fronts = np.ones(len(shapes), bool)
     edges = edge_kinds(draw, shapes) if kind == 3 else shapes
     rings, last = places[: shapes.size].reshape(shapes.shape), places[shapes.size :]
     if kind == 3:
-        fronts = np.equal(counterclockwise(stage.clip[rings]), polygon.front_face == GL_CCW)
+        fronts = np.equal(counterclockwise(stage.clip[rings]), polygon.front_face == gl.GL_CCW)
     for number, (ring, provoker) in enumerate(zip(rings, last, strict=True)):
         front = bool(fronts[number])
         if kind == 3 and _culled(draw, front):
@@ -410,13 +385,13 @@ def _primitives(draw: Draw) -> Iterator[Primitive]:
         color = np.repeat(colors[[provoker]], len(ring), axis=0) if flat else colors[ring]
         rows = np.concatenate([stage.clip[ring], color, stage.texcoords[0][ring]], axis=1)
         mode = polygon.front_mode if front else polygon.back_mode
-        reset = draw.mode == GL_LINES or number == 0
-        if kind != 3 or mode == GL_FILL:
+        reset = draw.mode == gl.GL_LINES or number == 0
+        if kind != 3 or mode == gl.GL_FILL:
             left = _left(rows, distances[ring], kind)
             if len(left) >= kind:
                 yield Primitive(kind, left, reset)
             continue
         outline = clipped(rows, distances[ring], edges[number], VIEW_PLANES)
         for n, k in enumerate(np.flatnonzero(outline.edges != INTERIOR)):
-            ends = [k] if mode == GL_POINT else [k, (k + 1) % len(outline.rows)]
+            ends = [k] if mode == gl.GL_POINT else [k, (k + 1) % len(outline.rows)]
             yield Primitive(len(ends), outline.rows[ends], reset and n == 0)

@@ -6,54 +6,8 @@ from typing import Any
 
 from glsim.gl.arguments import exactly, unit
 from glsim.gl.matrix import in_eye_space
-from glsim.machine.constants import (
-    GL_ADD,
-    GL_ADD_SIGNED,
-    GL_ALPHA_SCALE,
-    GL_BLEND,
-    GL_COMBINE,
-    GL_COMBINE_ALPHA,
-    GL_COMBINE_RGB,
-    GL_CONSTANT,
-    GL_DECAL,
-    GL_DOT3_RGB,
-    GL_DOT3_RGBA,
-    GL_EYE_LINEAR,
-    GL_EYE_PLANE,
-    GL_INTERPOLATE,
-    GL_MODULATE,
-    GL_NORMAL_MAP,
-    GL_OBJECT_LINEAR,
-    GL_OBJECT_PLANE,
-    GL_ONE_MINUS_SRC_ALPHA,
-    GL_ONE_MINUS_SRC_COLOR,
-    GL_OPERAND0_ALPHA,
-    GL_OPERAND0_RGB,
-    GL_PREVIOUS,
-    GL_PRIMARY_COLOR,
-    GL_Q,
-    GL_R,
-    GL_REFLECTION_MAP,
-    GL_REPLACE,
-    GL_RGB_SCALE,
-    GL_S,
-    GL_SOURCE0_ALPHA,
-    GL_SOURCE0_RGB,
-    GL_SPHERE_MAP,
-    GL_SRC_ALPHA,
-    GL_SRC_COLOR,
-    GL_SUBTRACT,
-    GL_T,
-    GL_TEXTURE,
-    GL_TEXTURE0,
-    GL_TEXTURE_ENV,
-    GL_TEXTURE_ENV_COLOR,
-    GL_TEXTURE_ENV_MODE,
-    GL_TEXTURE_FILTER_CONTROL,
-    GL_TEXTURE_GEN_MODE,
-    GL_TEXTURE_LOD_BIAS,
-    Enum,
-)
+from glsim.machine import constants as gl
+from glsim.machine.constants import Enum
 from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.machine import Machine
 from glsim.machine.state import TEXTURE_UNITS, Color, TextureUnit
@@ -61,7 +15,7 @@ from glsim.machine.state import TEXTURE_UNITS, Color, TextureUnit
 
 def unit_number(texture: int, argument: str = "texture") -> int:
     """GL_TEXTUREi -> i."""
-    number = texture - GL_TEXTURE0
+    number = texture - gl.GL_TEXTURE0
     if not 0 <= number < TEXTURE_UNITS:
         raise invalid_enum(argument, texture, f"GL_TEXTURE0 to GL_TEXTURE{TEXTURE_UNITS - 1}")
     return number
@@ -71,7 +25,7 @@ def glActiveTexture(m: Machine, texture: int) -> None:
     number = unit_number(texture)
     m.texture = m.texture._replace(active_unit=number)
     m.several_texture_matrices |= number > 0
-    m.stacks[GL_TEXTURE] = m.texture_stacks[number]
+    m.stacks[gl.GL_TEXTURE] = m.texture_stacks[number]
     m.stack = m.stacks[m.transform.matrix_mode]
 
 
@@ -81,25 +35,26 @@ def _set(m: Machine, **changes: Any) -> None:
 
 # ---------------------------------------------------------------- environment
 
-ENVIRONMENTS = (GL_MODULATE, GL_DECAL, GL_BLEND, GL_REPLACE, GL_ADD, GL_COMBINE)
-FUNCTIONS = (GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT)
+ENVIRONMENTS = (gl.GL_MODULATE, gl.GL_DECAL, gl.GL_BLEND, gl.GL_REPLACE, gl.GL_ADD, gl.GL_COMBINE)
+FUNCTIONS = (gl.GL_REPLACE, gl.GL_MODULATE, gl.GL_ADD, gl.GL_ADD_SIGNED, gl.GL_INTERPOLATE, gl.GL_SUBTRACT)
 SOURCES = (
-    GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS, *(GL_TEXTURE0 + k for k in range(TEXTURE_UNITS)),
+    gl.GL_TEXTURE, gl.GL_CONSTANT, gl.GL_PRIMARY_COLOR, gl.GL_PREVIOUS,
+    *(gl.GL_TEXTURE0 + k for k in range(TEXTURE_UNITS)),
 )  # fmt: skip
-ALPHA_OPERANDS = (GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
+ALPHA_OPERANDS = (gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
 # pname -> field of Combine, what it can be
 COMBINE: dict[int, tuple[str, tuple[int, ...]]] = {
-    GL_COMBINE_RGB: ("rgb", (*FUNCTIONS, GL_DOT3_RGB, GL_DOT3_RGBA)),
-    GL_COMBINE_ALPHA: ("alpha", FUNCTIONS),
+    gl.GL_COMBINE_RGB: ("rgb", (*FUNCTIONS, gl.GL_DOT3_RGB, gl.GL_DOT3_RGBA)),
+    gl.GL_COMBINE_ALPHA: ("alpha", FUNCTIONS),
 }
 # first pname of three -> field of Combine, what it can be
 COMBINE_ARGUMENTS: dict[int, tuple[str, tuple[int, ...]]] = {
-    GL_SOURCE0_RGB: ("source_rgb", SOURCES),
-    GL_SOURCE0_ALPHA: ("source_alpha", SOURCES),
-    GL_OPERAND0_RGB: ("operand_rgb", (GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, *ALPHA_OPERANDS)),
-    GL_OPERAND0_ALPHA: ("operand_alpha", ALPHA_OPERANDS),
+    gl.GL_SOURCE0_RGB: ("source_rgb", SOURCES),
+    gl.GL_SOURCE0_ALPHA: ("source_alpha", SOURCES),
+    gl.GL_OPERAND0_RGB: ("operand_rgb", (gl.GL_SRC_COLOR, gl.GL_ONE_MINUS_SRC_COLOR, *ALPHA_OPERANDS)),
+    gl.GL_OPERAND0_ALPHA: ("operand_alpha", ALPHA_OPERANDS),
 }
-SCALES: dict[int, str] = {GL_RGB_SCALE: "scale_rgb", GL_ALPHA_SCALE: "scale_alpha"}
+SCALES: dict[int, str] = {gl.GL_RGB_SCALE: "scale_rgb", gl.GL_ALPHA_SCALE: "scale_alpha"}
 
 
 def _argument(pname: int) -> tuple[str, tuple[int, ...], int] | None:
@@ -117,22 +72,22 @@ def _one_of(value: float, choices: tuple[int, ...]) -> int:
 
 def glTexEnv(m: Machine, target: int, pname: int, params: Any) -> None:
     place = m.texture.unit
-    if target == GL_TEXTURE_FILTER_CONTROL:
-        if pname != GL_TEXTURE_LOD_BIAS:
+    if target == gl.GL_TEXTURE_FILTER_CONTROL:
+        if pname != gl.GL_TEXTURE_LOD_BIAS:
             raise invalid_enum("pname", pname, "GL_TEXTURE_LOD_BIAS")
         _set(m, lod_bias=exactly(params, 1, "GL_TEXTURE_LOD_BIAS")[0])
         return
-    if target != GL_TEXTURE_ENV:
+    if target != gl.GL_TEXTURE_ENV:
         raise invalid_enum("target", target, "GL_TEXTURE_ENV or GL_TEXTURE_FILTER_CONTROL")
-    if pname == GL_TEXTURE_ENV_COLOR:
+    if pname == gl.GL_TEXTURE_ENV_COLOR:
         r, g, b, a = map(unit, exactly(params, 4, "GL_TEXTURE_ENV_COLOR"))
         _set(m, environment_color=(r, g, b, a))
         return
     argument = _argument(pname)
-    if pname != GL_TEXTURE_ENV_MODE and pname not in COMBINE and pname not in SCALES and argument is None:
+    if pname != gl.GL_TEXTURE_ENV_MODE and pname not in COMBINE and pname not in SCALES and argument is None:
         raise invalid_enum("pname", pname, "GL_TEXTURE_ENV_MODE, GL_TEXTURE_ENV_COLOR or a parameter of GL_COMBINE")
     (value,) = exactly(params, 1, "this parameter")
-    if pname == GL_TEXTURE_ENV_MODE:
+    if pname == gl.GL_TEXTURE_ENV_MODE:
         _set(m, environment=_one_of(value, ENVIRONMENTS))
     elif pname in COMBINE:
         field, choices = COMBINE[pname]
@@ -150,13 +105,13 @@ def glTexEnv(m: Machine, target: int, pname: int, params: Any) -> None:
 
 def glGetTexEnv(m: Machine, env: int, pname: int) -> tuple[float, ...]:
     place = m.texture.unit
-    if env == GL_TEXTURE_FILTER_CONTROL and pname == GL_TEXTURE_LOD_BIAS:
+    if env == gl.GL_TEXTURE_FILTER_CONTROL and pname == gl.GL_TEXTURE_LOD_BIAS:
         return (place.lod_bias,)
-    if env != GL_TEXTURE_ENV:
+    if env != gl.GL_TEXTURE_ENV:
         raise invalid_enum("env", env, "GL_TEXTURE_ENV")
-    if pname == GL_TEXTURE_ENV_MODE:
+    if pname == gl.GL_TEXTURE_ENV_MODE:
         return (float(place.environment),)
-    if pname == GL_TEXTURE_ENV_COLOR:
+    if pname == gl.GL_TEXTURE_ENV_COLOR:
         return place.environment_color
     argument = _argument(pname)
     if argument is not None:
@@ -168,11 +123,11 @@ def glGetTexEnv(m: Machine, env: int, pname: int) -> tuple[float, ...]:
 
 # ---------------------------------------------------------------- coordinates
 
-COORDINATES: dict[int, int] = {GL_S: 0, GL_T: 1, GL_R: 2, GL_Q: 3}
+COORDINATES: dict[int, int] = {gl.GL_S: 0, gl.GL_T: 1, gl.GL_R: 2, gl.GL_Q: 3}
 # mode of glTexGen -> coordinates that can have it
 GENERATORS: dict[int, tuple[int, ...]] = {
-    GL_OBJECT_LINEAR: (0, 1, 2, 3), GL_EYE_LINEAR: (0, 1, 2, 3), GL_SPHERE_MAP: (0, 1),
-    GL_REFLECTION_MAP: (0, 1, 2), GL_NORMAL_MAP: (0, 1, 2),
+    gl.GL_OBJECT_LINEAR: (0, 1, 2, 3), gl.GL_EYE_LINEAR: (0, 1, 2, 3), gl.GL_SPHERE_MAP: (0, 1),
+    gl.GL_REFLECTION_MAP: (0, 1, 2), gl.GL_NORMAL_MAP: (0, 1, 2),
 }  # fmt: skip
 
 
@@ -187,15 +142,15 @@ def glTexGen(m: Machine, coord: int, pname: int, params: Any) -> None:
     number = _coordinate(coord)
     place: TextureUnit = m.texture.unit
     generators = list(place.generators)
-    if pname == GL_TEXTURE_GEN_MODE:
+    if pname == gl.GL_TEXTURE_GEN_MODE:
         (mode,) = exactly(params, 1, "GL_TEXTURE_GEN_MODE")
         if number not in GENERATORS.get(int(mode), ()):
             raise invalid_enum("param", int(mode), " or ".join(repr(g) for g, c in GENERATORS.items() if number in c))
         generators[number] = generators[number]._replace(mode=int(mode))
-    elif pname in (GL_OBJECT_PLANE, GL_EYE_PLANE):
+    elif pname in (gl.GL_OBJECT_PLANE, gl.GL_EYE_PLANE):
         a, b, c, d = exactly(params, 4, "the plane")
         plane: Color = (a, b, c, d)
-        if pname == GL_OBJECT_PLANE:
+        if pname == gl.GL_OBJECT_PLANE:
             generators[number] = generators[number]._replace(object_plane=plane)
         else:
             generators[number] = generators[number]._replace(eye_plane=in_eye_space(m, plane))
@@ -206,10 +161,10 @@ def glTexGen(m: Machine, coord: int, pname: int, params: Any) -> None:
 
 def glGetTexGen(m: Machine, coord: int, pname: int) -> tuple[float, ...]:
     generator = m.texture.unit.generators[_coordinate(coord)]
-    if pname == GL_TEXTURE_GEN_MODE:
+    if pname == gl.GL_TEXTURE_GEN_MODE:
         return (float(generator.mode),)
-    if pname == GL_OBJECT_PLANE:
+    if pname == gl.GL_OBJECT_PLANE:
         return generator.object_plane
-    if pname == GL_EYE_PLANE:
+    if pname == gl.GL_EYE_PLANE:
         return generator.eye_plane
     raise invalid_enum("pname", pname, "GL_TEXTURE_GEN_MODE, GL_OBJECT_PLANE or GL_EYE_PLANE")

@@ -9,69 +9,8 @@ from typing import Any
 import numpy as np
 
 from glsim.gl.arguments import exactly, numbers, unit
-from glsim.machine.constants import (
-    GL_ALPHA,
-    GL_ALWAYS,
-    GL_CLAMP,
-    GL_CLAMP_TO_BORDER,
-    GL_CLAMP_TO_EDGE,
-    GL_COLOR_INDEX,
-    GL_COMPARE_R_TO_TEXTURE,
-    GL_DEPTH_COMPONENT,
-    GL_DEPTH_TEXTURE_MODE,
-    GL_GENERATE_MIPMAP,
-    GL_INTENSITY,
-    GL_LINEAR,
-    GL_LINEAR_MIPMAP_LINEAR,
-    GL_LINEAR_MIPMAP_NEAREST,
-    GL_LUMINANCE,
-    GL_LUMINANCE_ALPHA,
-    GL_MIRRORED_REPEAT,
-    GL_NEAREST,
-    GL_NEAREST_MIPMAP_LINEAR,
-    GL_NEAREST_MIPMAP_NEAREST,
-    GL_NEVER,
-    GL_NONE,
-    GL_PROXY_TEXTURE_1D,
-    GL_PROXY_TEXTURE_2D,
-    GL_PROXY_TEXTURE_3D,
-    GL_PROXY_TEXTURE_CUBE_MAP,
-    GL_REPEAT,
-    GL_TEXTURE_1D,
-    GL_TEXTURE_2D,
-    GL_TEXTURE_3D,
-    GL_TEXTURE_ALPHA_SIZE,
-    GL_TEXTURE_BASE_LEVEL,
-    GL_TEXTURE_BLUE_SIZE,
-    GL_TEXTURE_BORDER,
-    GL_TEXTURE_BORDER_COLOR,
-    GL_TEXTURE_COMPARE_FUNC,
-    GL_TEXTURE_COMPARE_MODE,
-    GL_TEXTURE_COMPRESSED,
-    GL_TEXTURE_CUBE_MAP,
-    GL_TEXTURE_CUBE_MAP_POSITIVE_X,
-    GL_TEXTURE_DEPTH,
-    GL_TEXTURE_DEPTH_SIZE,
-    GL_TEXTURE_GREEN_SIZE,
-    GL_TEXTURE_HEIGHT,
-    GL_TEXTURE_INTENSITY_SIZE,
-    GL_TEXTURE_INTERNAL_FORMAT,
-    GL_TEXTURE_LOD_BIAS,
-    GL_TEXTURE_LUMINANCE_SIZE,
-    GL_TEXTURE_MAG_FILTER,
-    GL_TEXTURE_MAX_LEVEL,
-    GL_TEXTURE_MAX_LOD,
-    GL_TEXTURE_MIN_FILTER,
-    GL_TEXTURE_MIN_LOD,
-    GL_TEXTURE_PRIORITY,
-    GL_TEXTURE_RED_SIZE,
-    GL_TEXTURE_RESIDENT,
-    GL_TEXTURE_WIDTH,
-    GL_TEXTURE_WRAP_R,
-    GL_TEXTURE_WRAP_S,
-    GL_TEXTURE_WRAP_T,
-    Enum,
-)
+from glsim.machine import constants as gl
+from glsim.machine.constants import Enum
 from glsim.machine.errors import GLError, invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.machine import MOST_NAMES, Machine
 from glsim.machine.pixels import (
@@ -100,37 +39,37 @@ from glsim.machine.texture import (
 from glsim.machine.types import DTYPES, fill
 
 # what glBindTexture takes -> kind of texture
-TARGETS: dict[int, int] = {GL_TEXTURE_1D: 1, GL_TEXTURE_2D: 2, GL_TEXTURE_3D: 3, GL_TEXTURE_CUBE_MAP: CUBE}
+TARGETS: dict[int, int] = {gl.GL_TEXTURE_1D: 1, gl.GL_TEXTURE_2D: 2, gl.GL_TEXTURE_3D: 3, gl.GL_TEXTURE_CUBE_MAP: CUBE}
 # what glTexImage takes -> kind of texture, face
 IMAGE_TARGETS: dict[int, tuple[int, int]] = {
-    GL_TEXTURE_1D: (1, 0), GL_TEXTURE_2D: (2, 0), GL_TEXTURE_3D: (3, 0),
-    **{GL_TEXTURE_CUBE_MAP_POSITIVE_X + face: (CUBE, face) for face in range(6)},
+    gl.GL_TEXTURE_1D: (1, 0), gl.GL_TEXTURE_2D: (2, 0), gl.GL_TEXTURE_3D: (3, 0),
+    **{gl.GL_TEXTURE_CUBE_MAP_POSITIVE_X + face: (CUBE, face) for face in range(6)},
 }  # fmt: skip
 PROXIES: dict[int, int] = {
-    GL_PROXY_TEXTURE_1D: 1, GL_PROXY_TEXTURE_2D: 2, GL_PROXY_TEXTURE_3D: 3, GL_PROXY_TEXTURE_CUBE_MAP: CUBE,
+    gl.GL_PROXY_TEXTURE_1D: 1, gl.GL_PROXY_TEXTURE_2D: 2, gl.GL_PROXY_TEXTURE_3D: 3, gl.GL_PROXY_TEXTURE_CUBE_MAP: CUBE,
 }  # fmt: skip
 PROXY = -1  # the name under which a proxy texture is kept
 KIND_NAMES = {1: "one-dimensional", 2: "two-dimensional", 3: "three-dimensional", CUBE: "a cube map"}
 
-WRAPS = (GL_CLAMP, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT)
-MAG_FILTERS = (GL_NEAREST, GL_LINEAR)
+WRAPS = (gl.GL_CLAMP, gl.GL_REPEAT, gl.GL_CLAMP_TO_EDGE, gl.GL_CLAMP_TO_BORDER, gl.GL_MIRRORED_REPEAT)
+MAG_FILTERS = (gl.GL_NEAREST, gl.GL_LINEAR)
 MIN_FILTERS = (
-    *MAG_FILTERS, GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST, GL_NEAREST_MIPMAP_LINEAR,
-    GL_LINEAR_MIPMAP_LINEAR,
+    *MAG_FILTERS, gl.GL_NEAREST_MIPMAP_NEAREST, gl.GL_LINEAR_MIPMAP_NEAREST, gl.GL_NEAREST_MIPMAP_LINEAR,
+    gl.GL_LINEAR_MIPMAP_LINEAR,
 )  # fmt: skip
 CHOICES: dict[int, tuple[str, tuple[Enum, ...]]] = {
-    GL_TEXTURE_MIN_FILTER: ("min_filter", MIN_FILTERS),
-    GL_TEXTURE_MAG_FILTER: ("mag_filter", MAG_FILTERS),
-    GL_TEXTURE_WRAP_S: ("wrap_s", WRAPS),
-    GL_TEXTURE_WRAP_T: ("wrap_t", WRAPS),
-    GL_TEXTURE_WRAP_R: ("wrap_r", WRAPS),
-    GL_DEPTH_TEXTURE_MODE: ("depth_mode", (GL_LUMINANCE, GL_INTENSITY, GL_ALPHA)),
-    GL_TEXTURE_COMPARE_MODE: ("compare_mode", (GL_NONE, GL_COMPARE_R_TO_TEXTURE)),
+    gl.GL_TEXTURE_MIN_FILTER: ("min_filter", MIN_FILTERS),
+    gl.GL_TEXTURE_MAG_FILTER: ("mag_filter", MAG_FILTERS),
+    gl.GL_TEXTURE_WRAP_S: ("wrap_s", WRAPS),
+    gl.GL_TEXTURE_WRAP_T: ("wrap_t", WRAPS),
+    gl.GL_TEXTURE_WRAP_R: ("wrap_r", WRAPS),
+    gl.GL_DEPTH_TEXTURE_MODE: ("depth_mode", (gl.GL_LUMINANCE, gl.GL_INTENSITY, gl.GL_ALPHA)),
+    gl.GL_TEXTURE_COMPARE_MODE: ("compare_mode", (gl.GL_NONE, gl.GL_COMPARE_R_TO_TEXTURE)),
 }
 VALUES: dict[int, str] = {
-    GL_TEXTURE_PRIORITY: "priority", GL_TEXTURE_MIN_LOD: "min_lod", GL_TEXTURE_MAX_LOD: "max_lod",
-    GL_TEXTURE_LOD_BIAS: "lod_bias", GL_TEXTURE_BASE_LEVEL: "base_level", GL_TEXTURE_MAX_LEVEL: "max_level",
-    GL_TEXTURE_COMPARE_FUNC: "compare_func", GL_GENERATE_MIPMAP: "generate_mipmap",
+    gl.GL_TEXTURE_PRIORITY: "priority", gl.GL_TEXTURE_MIN_LOD: "min_lod", gl.GL_TEXTURE_MAX_LOD: "max_lod",
+    gl.GL_TEXTURE_LOD_BIAS: "lod_bias", gl.GL_TEXTURE_BASE_LEVEL: "base_level", gl.GL_TEXTURE_MAX_LEVEL: "max_level",
+    gl.GL_TEXTURE_COMPARE_FUNC: "compare_func", gl.GL_GENERATE_MIPMAP: "generate_mipmap",
 }  # fmt: skip
 
 
@@ -301,7 +240,7 @@ def _check_image(kind: int, level: int, internalformat: int, border: int, size: 
     for length in size:
         if length < 2 * border:
             raise invalid_value("the size", length, f"at least {2 * border}")
-    if kind in (3, CUBE) and BASE_FORMATS[internalformat] == GL_DEPTH_COMPONENT:
+    if kind in (3, CUBE) and BASE_FORMATS[internalformat] == gl.GL_DEPTH_COMPONENT:
         raise invalid_operation("a depth texture must have one or two dimensions")
 
 
@@ -316,9 +255,9 @@ def _check_room(kind: int, border: int, size: Sequence[int]) -> None:
 
 def _check_format(internalformat: int, format: int, type: int) -> None:
     check(format, type)
-    if (format == GL_DEPTH_COMPONENT) != (BASE_FORMATS[internalformat] == GL_DEPTH_COMPONENT):
+    if (format == gl.GL_DEPTH_COMPONENT) != (BASE_FORMATS[internalformat] == gl.GL_DEPTH_COMPONENT):
         raise invalid_operation("a depth texture needs format GL_DEPTH_COMPONENT, and no other texture does")
-    if format not in COMPONENTS and format not in (GL_COLOR_INDEX, GL_DEPTH_COMPONENT):
+    if format not in COMPONENTS and format not in (gl.GL_COLOR_INDEX, gl.GL_DEPTH_COMPONENT):
         raise invalid_enum("format", format, "a format of colours")
 
 
@@ -326,7 +265,7 @@ def _texels(m: Machine, internalformat: int, size: tuple[int, ...], format: int,
     """A rectangle out of the program's memory as an image keeps it; zeros if ``pixels`` is None."""
     _check_format(internalformat, format, type)
     base = BASE_FORMATS[internalformat]
-    if base == GL_DEPTH_COMPONENT:
+    if base == gl.GL_DEPTH_COMPONENT:
         if pixels is None:
             return np.zeros((*size, 1), np.float32)
         return depths(m.pixel, unpack(m.unpack_store, size, format, type, pixels))
@@ -461,7 +400,7 @@ def glTexSubImage3D(
 def _from_framebuffer(m: Machine, internalformat: int, x: int, y: int, width: int, height: int) -> Any:
     m.flush()
     base = BASE_FORMATS[internalformat]
-    if base == GL_DEPTH_COMPONENT:
+    if base == gl.GL_DEPTH_COMPONENT:
         return depths(m.pixel, m.device.read(x, y, width, height, "depth")[..., None])
     rgba = as_bytes(transferred(m.pixel, m.device.read(x, y, width, height, "color")))
     return in_base_format(rgba, base, 255)
@@ -586,7 +525,7 @@ def glTexParameter(m: Machine, target: int, pname: int, params: Any) -> None:
 
 
 def _sampler(sampler: Sampler, pname: int, params: Any) -> Sampler:
-    if pname == GL_TEXTURE_BORDER_COLOR:
+    if pname == gl.GL_TEXTURE_BORDER_COLOR:
         r, g, b, a = map(unit, exactly(params, 4, "GL_TEXTURE_BORDER_COLOR"))
         return replace(sampler, border_color=(r, g, b, a))
     (value,) = exactly(params, 1, "this parameter")
@@ -597,21 +536,21 @@ def _sampler(sampler: Sampler, pname: int, params: Any) -> Sampler:
         return replace(sampler, **{field: int(value)})  # type: ignore[arg-type]
     if pname not in VALUES:
         raise invalid_enum("pname", pname, "a texture parameter such as GL_TEXTURE_MIN_FILTER or GL_TEXTURE_WRAP_S")
-    if pname == GL_TEXTURE_COMPARE_FUNC and not GL_NEVER <= value <= GL_ALWAYS:
+    if pname == gl.GL_TEXTURE_COMPARE_FUNC and not gl.GL_NEVER <= value <= gl.GL_ALWAYS:
         raise invalid_enum("param", int(value), "a comparison such as GL_LEQUAL")
-    if pname in (GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL) and value < 0:
+    if pname in (gl.GL_TEXTURE_BASE_LEVEL, gl.GL_TEXTURE_MAX_LEVEL) and value < 0:
         raise invalid_value("param", value, "at least 0")
     before = getattr(sampler, VALUES[pname])
     kind: Any = int if isinstance(before, Enum) else type(before)
-    changes: dict[str, Any] = {VALUES[pname]: unit(value) if pname == GL_TEXTURE_PRIORITY else kind(value)}
+    changes: dict[str, Any] = {VALUES[pname]: unit(value) if pname == gl.GL_TEXTURE_PRIORITY else kind(value)}
     return replace(sampler, **changes)
 
 
 def glGetTexParameter(m: Machine, target: int, pname: int) -> tuple[float, ...]:
     sampler = bound(m, _kind(target)).sampler
-    if pname == GL_TEXTURE_BORDER_COLOR:
+    if pname == gl.GL_TEXTURE_BORDER_COLOR:
         return sampler.border_color
-    if pname == GL_TEXTURE_RESIDENT:
+    if pname == gl.GL_TEXTURE_RESIDENT:
         return (1.0,)
     field = CHOICES[pname][0] if pname in CHOICES else VALUES.get(pname)
     if field is None:
@@ -637,30 +576,30 @@ def _level(m: Machine, target: int, level: int) -> tuple[int, Image | None]:
 
 # component sizes -> base formats that have the component
 SIZES: dict[int, str] = {
-    GL_TEXTURE_RED_SIZE: "GL_RGB GL_RGBA",
-    GL_TEXTURE_GREEN_SIZE: "GL_RGB GL_RGBA",
-    GL_TEXTURE_BLUE_SIZE: "GL_RGB GL_RGBA",
-    GL_TEXTURE_ALPHA_SIZE: "GL_RGBA GL_ALPHA GL_LUMINANCE_ALPHA",
-    GL_TEXTURE_LUMINANCE_SIZE: "GL_LUMINANCE GL_LUMINANCE_ALPHA",
-    GL_TEXTURE_INTENSITY_SIZE: "GL_INTENSITY",
+    gl.GL_TEXTURE_RED_SIZE: "GL_RGB GL_RGBA",
+    gl.GL_TEXTURE_GREEN_SIZE: "GL_RGB GL_RGBA",
+    gl.GL_TEXTURE_BLUE_SIZE: "GL_RGB GL_RGBA",
+    gl.GL_TEXTURE_ALPHA_SIZE: "GL_RGBA GL_ALPHA GL_LUMINANCE_ALPHA",
+    gl.GL_TEXTURE_LUMINANCE_SIZE: "GL_LUMINANCE GL_LUMINANCE_ALPHA",
+    gl.GL_TEXTURE_INTENSITY_SIZE: "GL_INTENSITY",
 }
 
 
 def glGetTexLevelParameter(m: Machine, target: int, level: int, pname: int) -> tuple[float, ...]:
     kind, image = _level(m, target, level)
     size = image.size if image is not None else (0, 0, 0)
-    if pname == GL_TEXTURE_WIDTH:
+    if pname == gl.GL_TEXTURE_WIDTH:
         return (size[-1],)
-    if pname == GL_TEXTURE_HEIGHT:
+    if pname == gl.GL_TEXTURE_HEIGHT:
         return (size[-2],)
-    if pname == GL_TEXTURE_DEPTH:
+    if pname == gl.GL_TEXTURE_DEPTH:
         return (size[0] if kind == 3 else int(0 not in size),)
-    if pname == GL_TEXTURE_INTERNAL_FORMAT:
+    if pname == gl.GL_TEXTURE_INTERNAL_FORMAT:
         return (image.internal_format if image is not None else 1,)
-    if pname in (GL_TEXTURE_BORDER, GL_TEXTURE_COMPRESSED):
+    if pname in (gl.GL_TEXTURE_BORDER, gl.GL_TEXTURE_COMPRESSED):
         return (0,)
-    if pname == GL_TEXTURE_DEPTH_SIZE:
-        return (24 if image is not None and image.base_format == GL_DEPTH_COMPONENT else 0,)
+    if pname == gl.GL_TEXTURE_DEPTH_SIZE:
+        return (24 if image is not None and image.base_format == gl.GL_DEPTH_COMPONENT else 0,)
     if pname in SIZES:
         has = image is not None and repr(image.base_format) in SIZES[pname].split()
         return (8 if has else 0,)
@@ -675,17 +614,17 @@ def glGetTexImage(
     kind, image = _level(m, target, level)
     if image is None:
         raise invalid_operation(f"level {level} of the texture has no image")
-    if (format == GL_DEPTH_COMPONENT) != (image.base_format == GL_DEPTH_COMPONENT):
+    if (format == gl.GL_DEPTH_COMPONENT) != (image.base_format == gl.GL_DEPTH_COMPONENT):
         raise invalid_operation("only a depth texture is read as GL_DEPTH_COMPONENT")
-    if format == GL_DEPTH_COMPONENT:
+    if format == gl.GL_DEPTH_COMPONENT:
         values = as_numbers(image.texels, DTYPES[type])
     elif format not in COMPONENTS:
         raise invalid_enum("format", format, "a format of colours")
     else:
         texels = image.texels.copy()
-        if image.base_format in (GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY):  # table 6.1: in red alone
+        if image.base_format in (gl.GL_LUMINANCE, gl.GL_LUMINANCE_ALPHA, gl.GL_INTENSITY):  # table 6.1: in red alone
             texels[..., 1:3] = 0
-        if image.base_format == GL_INTENSITY:
+        if image.base_format == gl.GL_INTENSITY:
             texels[..., 3] = 255
         values = pack_colors(format, type, transferred(m.pixel, texels))
     size = image.size[1:] if kind == 1 else image.size

@@ -14,44 +14,33 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.constants import (
-    GL_LINE_LOOP,
-    GL_LINE_STRIP,
-    GL_LINES,
-    GL_POINTS,
-    GL_POLYGON,
-    GL_QUAD_STRIP,
-    GL_QUADS,
-    GL_TRIANGLE_FAN,
-    GL_TRIANGLE_STRIP,
-    GL_TRIANGLES,
-)
+from glsim.machine import constants as gl
 
 Indices = NDArray[np.uint32]
 
 # Smallest number of vertices that draws something, and what each further primitive adds.
 MINIMUM = {
-    GL_POINTS: (1, 1),
-    GL_LINES: (2, 2),
-    GL_LINE_STRIP: (2, 1),
-    GL_LINE_LOOP: (2, 1),
-    GL_TRIANGLES: (3, 3),
-    GL_TRIANGLE_STRIP: (3, 1),
-    GL_TRIANGLE_FAN: (3, 1),
-    GL_QUADS: (4, 4),
-    GL_QUAD_STRIP: (4, 2),
-    GL_POLYGON: (3, 1),
+    gl.GL_POINTS: (1, 1),
+    gl.GL_LINES: (2, 2),
+    gl.GL_LINE_STRIP: (2, 1),
+    gl.GL_LINE_LOOP: (2, 1),
+    gl.GL_TRIANGLES: (3, 3),
+    gl.GL_TRIANGLE_STRIP: (3, 1),
+    gl.GL_TRIANGLE_FAN: (3, 1),
+    gl.GL_QUADS: (4, 4),
+    gl.GL_QUAD_STRIP: (4, 2),
+    gl.GL_POLYGON: (3, 1),
 }
 
 # Modes whose primitives share no vertices: several Draws of one mode in a row are like one.
-SEPARATE = {GL_POINTS, GL_LINES, GL_TRIANGLES, GL_QUADS}
+SEPARATE = {gl.GL_POINTS, gl.GL_LINES, gl.GL_TRIANGLES, gl.GL_QUADS}
 
 
 def corners(mode: int) -> int:
     """3 for modes that make triangles, 2 for lines, 1 for points."""
-    if mode == GL_POINTS:
+    if mode == gl.GL_POINTS:
         return 1
-    return 2 if mode in (GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP) else 3
+    return 2 if mode in (gl.GL_LINES, gl.GL_LINE_STRIP, gl.GL_LINE_LOOP) else 3
 
 
 def complete(mode: int, count: int) -> int:
@@ -66,7 +55,7 @@ def assemble(mode: int, count: int, last: bool) -> Indices | None:
     None means 0, 1, 2, ... (nothing to rearrange).  ``last``: both triangles of a quad end in its fourth vertex, the
     provoking one.
     """
-    if mode in (GL_POINTS, GL_LINES, GL_TRIANGLES):
+    if mode in (gl.GL_POINTS, gl.GL_LINES, gl.GL_TRIANGLES):
         return None
     pattern = _small_pattern if count <= 4096 else _pattern
     return pattern(mode, complete(mode, count), last)
@@ -76,21 +65,21 @@ def _pattern(mode: int, count: int, last: bool) -> Indices:
     if count == 0:
         return np.empty(0, np.uint32)
     i = np.arange(count, dtype=np.uint32)
-    if mode == GL_LINE_STRIP:
+    if mode == gl.GL_LINE_STRIP:
         return _pack(i[:-1], i[1:])
-    if mode == GL_LINE_LOOP:
+    if mode == gl.GL_LINE_LOOP:
         return _pack(i, np.roll(i, -1))
-    if mode == GL_TRIANGLE_STRIP:
+    if mode == gl.GL_TRIANGLE_STRIP:
         k = i[:-2]
         odd = k % 2
         return _pack(k + odd, k + 1 - odd, k + 2)
-    if mode == GL_TRIANGLE_FAN:
+    if mode == gl.GL_TRIANGLE_FAN:
         return _pack(np.zeros_like(i[1:-1]), i[1:-1], i[2:])
-    if mode == GL_POLYGON:
+    if mode == gl.GL_POLYGON:
         return _pack(i[1:-1], i[2:], np.zeros_like(i[1:-1]))
-    k = i[::4] if mode == GL_QUADS else i[:-2:2]
-    a, b, c, d = (k, k + 1, k + 2, k + 3) if mode == GL_QUADS else (k, k + 1, k + 3, k + 2)
-    if mode == GL_QUAD_STRIP:
+    k = i[::4] if mode == gl.GL_QUADS else i[:-2:2]
+    a, b, c, d = (k, k + 1, k + 2, k + 3) if mode == gl.GL_QUADS else (k, k + 1, k + 3, k + 2)
+    if mode == gl.GL_QUAD_STRIP:
         return _pack(a, b, c, d, a, c)  # the provoking vertex is 2i + 4, here c
     return _pack(a, b, d, b, c, d) if last else _pack(a, b, c, a, c, d)
 
@@ -105,12 +94,12 @@ def outlines(mode: int, count: int) -> tuple[Indices, Indices]:
     """
     count = complete(mode, count)
     i = np.arange(count, dtype=np.uint32)
-    if mode == GL_POLYGON:
+    if mode == gl.GL_POLYGON:
         return i[None] if count else i.reshape(0, 3), i[:1]
-    if mode == GL_QUADS:
+    if mode == gl.GL_QUADS:
         rings = i.reshape(-1, 4)
         return rings, rings[:, 3]
-    if mode == GL_QUAD_STRIP:
+    if mode == gl.GL_QUAD_STRIP:
         a = i[:-2:2]
         return np.stack([a, a + 1, a + 3, a + 2], axis=1), a + 3
     triangles = assemble(mode, count, last=False)

@@ -5,15 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from glsim.machine.constants import (
-    GL_INVALID_ENUM,
-    GL_INVALID_OPERATION,
-    GL_INVALID_VALUE,
-    GL_OUT_OF_MEMORY,
-    GL_STACK_OVERFLOW,
-    GL_STACK_UNDERFLOW,
-    Enum,
-)
+from glsim.machine import constants as gl
+from glsim.machine.constants import Enum
 
 
 class GLError(Exception):
@@ -65,27 +58,27 @@ class NoContextError(RuntimeError):
 
 
 def invalid_enum(argument: str, value: object, expected: str) -> GLError:
-    return GLError(GL_INVALID_ENUM, f"{argument} must be {expected}, not {show(value)}")
+    return GLError(gl.GL_INVALID_ENUM, f"{argument} must be {expected}, not {show(value)}")
 
 
 def invalid_value(argument: str, value: object, expected: str) -> GLError:
-    return GLError(GL_INVALID_VALUE, f"{argument} must be {expected}, not {show(value)}")
+    return GLError(gl.GL_INVALID_VALUE, f"{argument} must be {expected}, not {show(value)}")
 
 
 def invalid_operation(sentence: str) -> GLError:
-    return GLError(GL_INVALID_OPERATION, sentence)
+    return GLError(gl.GL_INVALID_OPERATION, sentence)
 
 
 def stack_overflow(sentence: str) -> GLError:
-    return GLError(GL_STACK_OVERFLOW, sentence)
+    return GLError(gl.GL_STACK_OVERFLOW, sentence)
 
 
 def stack_underflow(sentence: str) -> GLError:
-    return GLError(GL_STACK_UNDERFLOW, sentence)
+    return GLError(gl.GL_STACK_UNDERFLOW, sentence)
 
 
 def out_of_memory(sentence: str) -> GLError:
-    return GLError(GL_OUT_OF_MEMORY, sentence)
+    return GLError(gl.GL_OUT_OF_MEMORY, sentence)
 
 
 def show(value: object) -> str:

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.machine import constants as gl
 from glsim.machine.assembly import assemble, complete, corners
-from glsim.machine.constants import GL_FILL, GL_LINES, GL_POINTS, GL_TRIANGLES
 from glsim.machine.current import driving
 from glsim.machine.errors import out_of_memory
 from glsim.machine.frame import Draw, Vertices
@@ -18,7 +18,7 @@ from glsim.machine.machine import Machine
 from glsim.machine.record import implementations
 
 NAN = float("nan")
-PLAIN = {1: GL_POINTS, 2: GL_LINES, 3: GL_TRIANGLES}
+PLAIN = {1: gl.GL_POINTS, 2: gl.GL_LINES, 3: gl.GL_TRIANGLES}
 MOST_VARIANTS = 16
 AnyCall = tuple[str, tuple[Any, ...]]
 REGISTERS = ("nx", "ny", "nz", "red", "green", "blue", "alpha")
@@ -60,7 +60,7 @@ class Geometry:
     def call(self, m: Machine) -> None:
         """Draw with the machine's present state, and leave the current values that the list sets."""
         state, matrices = m.snapshot(), m.matrices()
-        filled = state.polygon.front_mode == state.polygon.back_mode == GL_FILL
+        filled = state.polygon.front_mode == state.polygon.back_mode == gl.GL_FILL
         vertices = self._resolved(m, not filled or state.fog.color_sum or state.fog.enabled or state.texture.in_use)
         color = (m.red, m.green, m.blue, m.alpha) if self.color_is_callers else None
         if filled and not state.line.stipple:

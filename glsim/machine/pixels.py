@@ -11,61 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.constants import (
-    GL_ALPHA,
-    GL_BGR,
-    GL_BGRA,
-    GL_BITMAP,
-    GL_BLUE,
-    GL_COLOR_INDEX,
-    GL_DEPTH_COMPONENT,
-    GL_FRONT,
-    GL_GREEN,
-    GL_LUMINANCE,
-    GL_LUMINANCE_ALPHA,
-    GL_PACK_ALIGNMENT,
-    GL_PACK_IMAGE_HEIGHT,
-    GL_PACK_LSB_FIRST,
-    GL_PACK_ROW_LENGTH,
-    GL_PACK_SKIP_IMAGES,
-    GL_PACK_SKIP_PIXELS,
-    GL_PACK_SKIP_ROWS,
-    GL_PACK_SWAP_BYTES,
-    GL_PIXEL_MAP_A_TO_A,
-    GL_PIXEL_MAP_B_TO_B,
-    GL_PIXEL_MAP_G_TO_G,
-    GL_PIXEL_MAP_I_TO_A,
-    GL_PIXEL_MAP_I_TO_B,
-    GL_PIXEL_MAP_I_TO_G,
-    GL_PIXEL_MAP_I_TO_I,
-    GL_PIXEL_MAP_I_TO_R,
-    GL_PIXEL_MAP_R_TO_R,
-    GL_PIXEL_MAP_S_TO_S,
-    GL_RED,
-    GL_RGB,
-    GL_RGBA,
-    GL_STENCIL_INDEX,
-    GL_UNPACK_ALIGNMENT,
-    GL_UNPACK_IMAGE_HEIGHT,
-    GL_UNPACK_LSB_FIRST,
-    GL_UNPACK_ROW_LENGTH,
-    GL_UNPACK_SKIP_IMAGES,
-    GL_UNPACK_SKIP_PIXELS,
-    GL_UNPACK_SKIP_ROWS,
-    GL_UNPACK_SWAP_BYTES,
-    GL_UNSIGNED_BYTE_2_3_3_REV,
-    GL_UNSIGNED_BYTE_3_3_2,
-    GL_UNSIGNED_INT_2_10_10_10_REV,
-    GL_UNSIGNED_INT_8_8_8_8,
-    GL_UNSIGNED_INT_8_8_8_8_REV,
-    GL_UNSIGNED_INT_10_10_10_2,
-    GL_UNSIGNED_SHORT_1_5_5_5_REV,
-    GL_UNSIGNED_SHORT_4_4_4_4,
-    GL_UNSIGNED_SHORT_4_4_4_4_REV,
-    GL_UNSIGNED_SHORT_5_5_5_1,
-    GL_UNSIGNED_SHORT_5_6_5,
-    GL_UNSIGNED_SHORT_5_6_5_REV,
-)
+from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation
 from glsim.machine.types import DTYPES, plain, raw_bytes
 
@@ -73,35 +19,35 @@ Values = NDArray[Any]
 
 # format -> which component of the memory becomes red, green, blue, alpha; -1: 0, -2: 1
 COMPONENTS: dict[int, tuple[int, tuple[int, int, int, int]]] = {
-    GL_RED: (1, (0, -1, -1, -2)),
-    GL_GREEN: (1, (-1, 0, -1, -2)),
-    GL_BLUE: (1, (-1, -1, 0, -2)),
-    GL_ALPHA: (1, (-1, -1, -1, 0)),
-    GL_LUMINANCE: (1, (0, 0, 0, -2)),
-    GL_LUMINANCE_ALPHA: (2, (0, 0, 0, 1)),
-    GL_RGB: (3, (0, 1, 2, -2)),
-    GL_BGR: (3, (2, 1, 0, -2)),
-    GL_RGBA: (4, (0, 1, 2, 3)),
-    GL_BGRA: (4, (2, 1, 0, 3)),
+    gl.GL_RED: (1, (0, -1, -1, -2)),
+    gl.GL_GREEN: (1, (-1, 0, -1, -2)),
+    gl.GL_BLUE: (1, (-1, -1, 0, -2)),
+    gl.GL_ALPHA: (1, (-1, -1, -1, 0)),
+    gl.GL_LUMINANCE: (1, (0, 0, 0, -2)),
+    gl.GL_LUMINANCE_ALPHA: (2, (0, 0, 0, 1)),
+    gl.GL_RGB: (3, (0, 1, 2, -2)),
+    gl.GL_BGR: (3, (2, 1, 0, -2)),
+    gl.GL_RGBA: (4, (0, 1, 2, 3)),
+    gl.GL_BGRA: (4, (2, 1, 0, 3)),
 }
-SINGLE = (GL_COLOR_INDEX, GL_STENCIL_INDEX, GL_DEPTH_COMPONENT)
+SINGLE = (gl.GL_COLOR_INDEX, gl.GL_STENCIL_INDEX, gl.GL_DEPTH_COMPONENT)
 FORMATS = "GL_RGB, GL_RGBA, GL_LUMINANCE, GL_ALPHA, GL_BGR or another pixel format"
 TYPES = "GL_UNSIGNED_BYTE, GL_FLOAT, another number type, or a packed type such as GL_UNSIGNED_SHORT_5_6_5"
 
 # packed type -> number type, bits of each component from the first on, whether the first lies in the lowest bits
 PACKED: dict[int, tuple[str, tuple[int, ...], bool]] = {
-    GL_UNSIGNED_BYTE_3_3_2: ("u1", (3, 3, 2), False),
-    GL_UNSIGNED_BYTE_2_3_3_REV: ("u1", (3, 3, 2), True),
-    GL_UNSIGNED_SHORT_5_6_5: ("u2", (5, 6, 5), False),
-    GL_UNSIGNED_SHORT_5_6_5_REV: ("u2", (5, 6, 5), True),
-    GL_UNSIGNED_SHORT_4_4_4_4: ("u2", (4, 4, 4, 4), False),
-    GL_UNSIGNED_SHORT_4_4_4_4_REV: ("u2", (4, 4, 4, 4), True),
-    GL_UNSIGNED_SHORT_5_5_5_1: ("u2", (5, 5, 5, 1), False),
-    GL_UNSIGNED_SHORT_1_5_5_5_REV: ("u2", (5, 5, 5, 1), True),
-    GL_UNSIGNED_INT_8_8_8_8: ("u4", (8, 8, 8, 8), False),
-    GL_UNSIGNED_INT_8_8_8_8_REV: ("u4", (8, 8, 8, 8), True),
-    GL_UNSIGNED_INT_10_10_10_2: ("u4", (10, 10, 10, 2), False),
-    GL_UNSIGNED_INT_2_10_10_10_REV: ("u4", (10, 10, 10, 2), True),
+    gl.GL_UNSIGNED_BYTE_3_3_2: ("u1", (3, 3, 2), False),
+    gl.GL_UNSIGNED_BYTE_2_3_3_REV: ("u1", (3, 3, 2), True),
+    gl.GL_UNSIGNED_SHORT_5_6_5: ("u2", (5, 6, 5), False),
+    gl.GL_UNSIGNED_SHORT_5_6_5_REV: ("u2", (5, 6, 5), True),
+    gl.GL_UNSIGNED_SHORT_4_4_4_4: ("u2", (4, 4, 4, 4), False),
+    gl.GL_UNSIGNED_SHORT_4_4_4_4_REV: ("u2", (4, 4, 4, 4), True),
+    gl.GL_UNSIGNED_SHORT_5_5_5_1: ("u2", (5, 5, 5, 1), False),
+    gl.GL_UNSIGNED_SHORT_1_5_5_5_REV: ("u2", (5, 5, 5, 1), True),
+    gl.GL_UNSIGNED_INT_8_8_8_8: ("u4", (8, 8, 8, 8), False),
+    gl.GL_UNSIGNED_INT_8_8_8_8_REV: ("u4", (8, 8, 8, 8), True),
+    gl.GL_UNSIGNED_INT_10_10_10_2: ("u4", (10, 10, 10, 2), False),
+    gl.GL_UNSIGNED_INT_2_10_10_10_REV: ("u4", (10, 10, 10, 2), True),
 }
 
 
@@ -119,19 +65,31 @@ class PixelStore(NamedTuple):
 
 
 UNPACK_FIELDS: dict[int, str] = {
-    GL_UNPACK_ALIGNMENT: "alignment", GL_UNPACK_ROW_LENGTH: "row_length", GL_UNPACK_IMAGE_HEIGHT: "image_height",
-    GL_UNPACK_SKIP_PIXELS: "skip_pixels", GL_UNPACK_SKIP_ROWS: "skip_rows", GL_UNPACK_SKIP_IMAGES: "skip_images",
-    GL_UNPACK_SWAP_BYTES: "swap_bytes", GL_UNPACK_LSB_FIRST: "lsb_first",
+    gl.GL_UNPACK_ALIGNMENT: "alignment", gl.GL_UNPACK_ROW_LENGTH: "row_length",
+    gl.GL_UNPACK_IMAGE_HEIGHT: "image_height",
+    gl.GL_UNPACK_SKIP_PIXELS: "skip_pixels", gl.GL_UNPACK_SKIP_ROWS: "skip_rows",
+    gl.GL_UNPACK_SKIP_IMAGES: "skip_images",
+    gl.GL_UNPACK_SWAP_BYTES: "swap_bytes", gl.GL_UNPACK_LSB_FIRST: "lsb_first",
 }  # fmt: skip
 PACK_FIELDS: dict[int, str] = {
-    GL_PACK_ALIGNMENT: "alignment", GL_PACK_ROW_LENGTH: "row_length", GL_PACK_IMAGE_HEIGHT: "image_height",
-    GL_PACK_SKIP_PIXELS: "skip_pixels", GL_PACK_SKIP_ROWS: "skip_rows", GL_PACK_SKIP_IMAGES: "skip_images",
-    GL_PACK_SWAP_BYTES: "swap_bytes", GL_PACK_LSB_FIRST: "lsb_first",
+    gl.GL_PACK_ALIGNMENT: "alignment", gl.GL_PACK_ROW_LENGTH: "row_length", gl.GL_PACK_IMAGE_HEIGHT: "image_height",
+    gl.GL_PACK_SKIP_PIXELS: "skip_pixels", gl.GL_PACK_SKIP_ROWS: "skip_rows", gl.GL_PACK_SKIP_IMAGES: "skip_images",
+    gl.GL_PACK_SWAP_BYTES: "swap_bytes", gl.GL_PACK_LSB_FIRST: "lsb_first",
 }  # fmt: skip
 
-COLOR_MAPS: tuple[int, ...] = (GL_PIXEL_MAP_R_TO_R, GL_PIXEL_MAP_G_TO_G, GL_PIXEL_MAP_B_TO_B, GL_PIXEL_MAP_A_TO_A)
-INDEX_MAPS: tuple[int, ...] = (GL_PIXEL_MAP_I_TO_R, GL_PIXEL_MAP_I_TO_G, GL_PIXEL_MAP_I_TO_B, GL_PIXEL_MAP_I_TO_A)
-MAPS: tuple[int, ...] = (*COLOR_MAPS, *INDEX_MAPS, GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S)
+COLOR_MAPS: tuple[int, ...] = (
+    gl.GL_PIXEL_MAP_R_TO_R,
+    gl.GL_PIXEL_MAP_G_TO_G,
+    gl.GL_PIXEL_MAP_B_TO_B,
+    gl.GL_PIXEL_MAP_A_TO_A,
+)
+INDEX_MAPS: tuple[int, ...] = (
+    gl.GL_PIXEL_MAP_I_TO_R,
+    gl.GL_PIXEL_MAP_I_TO_G,
+    gl.GL_PIXEL_MAP_I_TO_B,
+    gl.GL_PIXEL_MAP_I_TO_A,
+)
+MAPS: tuple[int, ...] = (*COLOR_MAPS, *INDEX_MAPS, gl.GL_PIXEL_MAP_I_TO_I, gl.GL_PIXEL_MAP_S_TO_S)
 
 
 class PixelMode(NamedTuple):
@@ -149,7 +107,7 @@ class PixelMode(NamedTuple):
     index_shift: int = 0
     index_offset: int = 0
     zoom: tuple[float, float] = (1.0, 1.0)
-    read_buffer: int = GL_FRONT
+    read_buffer: int = gl.GL_FRONT
     maps: tuple[tuple[float, ...], ...] = ((0.0,),) * 10
 
     def map(self, name: int) -> tuple[float, ...]:
@@ -167,13 +125,13 @@ def check(format: int, type: int) -> None:
     """Raises GLError for a format or type that is none, and for pairs that do not fit."""
     if format not in COMPONENTS and format not in SINGLE:
         raise invalid_enum("format", format, FORMATS)
-    if type not in DTYPES and type not in PACKED and type != GL_BITMAP:
+    if type not in DTYPES and type not in PACKED and type != gl.GL_BITMAP:
         raise invalid_enum("type", type, TYPES)
-    if type == GL_BITMAP and format not in (GL_COLOR_INDEX, GL_STENCIL_INDEX):
+    if type == gl.GL_BITMAP and format not in (gl.GL_COLOR_INDEX, gl.GL_STENCIL_INDEX):
         raise invalid_enum("format", format, "GL_COLOR_INDEX or GL_STENCIL_INDEX with type GL_BITMAP")
     if type in PACKED:
         bits = PACKED[type][1]
-        fits = (GL_RGBA, GL_BGRA) if len(bits) == 4 else (GL_RGB,)
+        fits = (gl.GL_RGBA, gl.GL_BGRA) if len(bits) == 4 else (gl.GL_RGB,)
         if format not in fits:
             raise invalid_operation(f"a packed type with {len(bits)} components needs format {fits[0]!r}")
 
@@ -185,7 +143,7 @@ def unpack(store: PixelStore, size: tuple[int, ...], format: int, type: int, pix
     """
     check(format, type)
     count = COMPONENTS[format][0] if format in COMPONENTS else 1
-    if type == GL_BITMAP:
+    if type == gl.GL_BITMAP:
         return _bits(store, size, pixels)
     if type in PACKED:
         letters, bits, reverse = PACKED[type]
@@ -274,7 +232,7 @@ def _split(words: NDArray[np.uint64], bits: tuple[int, ...], reverse: bool) -> V
 
 def colors(mode: PixelMode, format: int, values: Values) -> Values:
     """Red, green, blue, alpha after pixel transfer: uint8, or float64 in [0, 1]; section 3.6.4."""
-    if format == GL_COLOR_INDEX:
+    if format == gl.GL_COLOR_INDEX:
         return _clamped(_looked_up(mode, values))
     count, order = COMPONENTS[format]
     plain = values.dtype == np.uint8
@@ -320,7 +278,7 @@ def stencils(mode: PixelMode, values: Values) -> NDArray[np.uint8]:
     """Stencil indices after pixel transfer: 8 bits."""
     index = indices(mode, values)
     if mode.map_stencil:
-        table = np.array(mode.map(GL_PIXEL_MAP_S_TO_S)).astype(np.int64)
+        table = np.array(mode.map(gl.GL_PIXEL_MAP_S_TO_S)).astype(np.int64)
         index = table[index & (len(table) - 1)]
     return (index & 255).astype(np.uint8)
 
@@ -354,7 +312,7 @@ def pack_colors(format: int, type: int, rgba: Values) -> Values:
     """Colours (..., 4) as the numbers a program asks for, (..., count); packed types have one number a pixel."""
     unit = rgba if rgba.dtype == np.uint8 else _clamped(rgba)
     one = 255 if unit.dtype == np.uint8 else 1.0
-    if format in (GL_LUMINANCE, GL_LUMINANCE_ALPHA):  # L = R + G + B, section 4.3.2
+    if format in (gl.GL_LUMINANCE, gl.GL_LUMINANCE_ALPHA):  # L = R + G + B, section 4.3.2
         summed = np.minimum(unit[..., :3].sum(axis=-1, keepdims=True), one).astype(unit.dtype)
         unit = np.concatenate([summed, unit[..., 3:]], axis=-1)[..., : COMPONENTS[format][0]]
     else:

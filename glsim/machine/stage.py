@@ -12,29 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim import shading
-from glsim.machine.constants import (
-    GL_AMBIENT,
-    GL_AMBIENT_AND_DIFFUSE,
-    GL_BACK,
-    GL_DIFFUSE,
-    GL_EYE_LINEAR,
-    GL_FLIP_NORMAL_GLSIM,
-    GL_FRONT,
-    GL_NORMAL_MAP,
-    GL_OBJECT_LINEAR,
-    GL_PHONG_LOBE_GLSIM,
-    GL_SEPARATE_SPECULAR_COLOR,
-    GL_SPECULAR,
-    GL_SPHERE_MAP,
-)
+from glsim.machine import constants as gl
 from glsim.machine.frame import Draw
 from glsim.machine.state import Face, Lighting, Material, TextureUnit, Viewport
 from glsim.shading import Illumination, Surface, dot
 
 Float = NDArray[np.float64]
 TRACKED: dict[int, tuple[str, ...]] = {
-    GL_AMBIENT: ("ambient",), GL_DIFFUSE: ("diffuse",), GL_AMBIENT_AND_DIFFUSE: ("ambient", "diffuse"),
-    GL_SPECULAR: ("specular",),
+    gl.GL_AMBIENT: ("ambient",), gl.GL_DIFFUSE: ("diffuse",), gl.GL_AMBIENT_AND_DIFFUSE: ("ambient", "diffuse"),
+    gl.GL_SPECULAR: ("specular",),
 }  # fmt: skip
 
 
@@ -74,8 +60,8 @@ def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int, colors: boo
     front = back = np.clip(color, 0.0, 1.0)
     highlight = np.zeros((len(chosen), 3))
     if state.lighting.enabled and colors:
-        front, highlight = _lit(draw, chosen, GL_FRONT, N, point, color)
-        back = _lit(draw, chosen, GL_BACK, -N, point, color)[0] if state.lighting.two_side else front
+        front, highlight = _lit(draw, chosen, gl.GL_FRONT, N, point, color)
+        back = _lit(draw, chosen, gl.GL_BACK, -N, point, color)[0] if state.lighting.two_side else front
     elif state.fog.color_sum:
         highlight = block.column("secondary_color")[chosen, :3].astype(np.float64)
     texcoords = []
@@ -124,11 +110,13 @@ def _lit(draw: Draw, chosen: NDArray[np.uint32], side: int, N: Float, P: Float, 
 def surface(lighting: Lighting, side: int, materials: Sequence[Material], color: Float) -> tuple[Surface, Float]:
     """One side of the materials of points, with what glColorMaterial takes from their current colours (n, 4); alpha."""
     different = {id(material): material for material in materials}
-    faces = [m.front if side == GL_FRONT else m.back for m in different.values()]
+    faces = [m.front if side == gl.GL_FRONT else m.back for m in different.values()]
     numbers = {key: number for number, key in enumerate(different)}
     at = np.array([numbers[id(material)] for material in materials], int)
     columns = {name: np.array([getattr(face, name) for face in faces], np.float64)[at] for name in Face._fields}
-    if lighting.color_material and lighting.color_material_face not in (GL_BACK if side == GL_FRONT else GL_FRONT,):
+    if lighting.color_material and lighting.color_material_face not in (
+        gl.GL_BACK if side == gl.GL_FRONT else gl.GL_FRONT,
+    ):
         for name in TRACKED.get(lighting.color_material_mode, ("emission",)):
             columns[name] = color
     k_a, k_d, k_s, emission = (columns[name][:, :3] for name in Face._fields[:4])
@@ -147,8 +135,8 @@ def illumination(
         P,
         scene_ambient=lighting.ambient[:3],
         local_viewer=lighting.local_viewer,
-        lobe="phong" if lighting.lobe == GL_PHONG_LOBE_GLSIM else "blinn",
-        flip=lighting.back_lighting == GL_FLIP_NORMAL_GLSIM,
+        lobe="phong" if lighting.lobe == gl.GL_PHONG_LOBE_GLSIM else "blinn",
+        flip=lighting.back_lighting == gl.GL_FLIP_NORMAL_GLSIM,
     )
     return terms, alpha
 
@@ -156,7 +144,7 @@ def illumination(
 def shown(lighting: Lighting, terms: Illumination, alpha: Float) -> tuple[Float, Float]:
     """The sum as colour (n, 4) and, with GL_SEPARATE_SPECULAR_COLOR, highlight (n, 3), both clamped to [0, 1]."""
     color, highlight = terms.color, terms.highlight
-    if lighting.color_control != GL_SEPARATE_SPECULAR_COLOR:
+    if lighting.color_control != gl.GL_SEPARATE_SPECULAR_COLOR:
         color, highlight = color + highlight, np.zeros_like(highlight)
     return shading.clamp(np.concatenate([color, alpha], axis=1)), shading.clamp(highlight)
 
@@ -172,13 +160,13 @@ def _generated(unit: TextureUnit, given: Float, P: Float, eye: Float, N: Float) 
     for k, (generator, enabled) in enumerate(zip(unit.generators, unit.generated, strict=True)):
         if not enabled:
             continue
-        if generator.mode == GL_OBJECT_LINEAR:
+        if generator.mode == gl.GL_OBJECT_LINEAR:
             result[:, k] = P @ np.array(generator.object_plane)
-        elif generator.mode == GL_EYE_LINEAR:
+        elif generator.mode == gl.GL_EYE_LINEAR:
             result[:, k] = eye @ np.array(generator.eye_plane)
-        elif generator.mode == GL_SPHERE_MAP:
+        elif generator.mode == gl.GL_SPHERE_MAP:
             m = 2.0 * np.sqrt(R[:, 0] ** 2 + R[:, 1] ** 2 + (R[:, 2] + 1.0) ** 2)
             result[:, k] = R[:, k] / m + 0.5
         else:
-            result[:, k] = N[:, k] if generator.mode == GL_NORMAL_MAP else R[:, k]
+            result[:, k] = N[:, k] if generator.mode == gl.GL_NORMAL_MAP else R[:, k]
     return result

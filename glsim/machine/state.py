@@ -12,35 +12,7 @@ from collections.abc import Callable
 from operator import attrgetter
 from typing import NamedTuple
 
-from glsim.machine.constants import (
-    GL_ALWAYS,
-    GL_AMBIENT_AND_DIFFUSE,
-    GL_BACK,
-    GL_BLINN_TORRANCE_GLSIM,
-    GL_CCW,
-    GL_CLAMP_NORMAL_GLSIM,
-    GL_CONSTANT,
-    GL_COPY,
-    GL_EXP,
-    GL_EYE_LINEAR,
-    GL_FILL,
-    GL_FRAGMENT_DEPTH,
-    GL_FRONT,
-    GL_FRONT_AND_BACK,
-    GL_FUNC_ADD,
-    GL_KEEP,
-    GL_LESS,
-    GL_MODELVIEW,
-    GL_MODULATE,
-    GL_ONE,
-    GL_PREVIOUS,
-    GL_SINGLE_COLOR,
-    GL_SMOOTH,
-    GL_SRC_ALPHA,
-    GL_SRC_COLOR,
-    GL_TEXTURE,
-    GL_ZERO,
-)
+from glsim.machine import constants as gl
 from glsim.machine.texture import Texture
 
 Color = tuple[float, float, float, float]
@@ -86,16 +58,16 @@ class Lighting(NamedTuple):
     """Group GL_LIGHTING_BIT, but for the material."""
 
     enabled: bool = False
-    shade_model: int = GL_SMOOTH
+    shade_model: int = gl.GL_SMOOTH
     ambient: Color = (0.2, 0.2, 0.2, 1.0)
     local_viewer: bool = False
     two_side: bool = False
-    color_control: int = GL_SINGLE_COLOR
-    lobe: int = GL_BLINN_TORRANCE_GLSIM
-    back_lighting: int = GL_CLAMP_NORMAL_GLSIM
+    color_control: int = gl.GL_SINGLE_COLOR
+    lobe: int = gl.GL_BLINN_TORRANCE_GLSIM
+    back_lighting: int = gl.GL_CLAMP_NORMAL_GLSIM
     color_material: bool = False
-    color_material_face: int = GL_FRONT_AND_BACK
-    color_material_mode: int = GL_AMBIENT_AND_DIFFUSE
+    color_material_face: int = gl.GL_FRONT_AND_BACK
+    color_material_mode: int = gl.GL_AMBIENT_AND_DIFFUSE
     light_enabled: tuple[bool, ...] = (False,) * MAX_LIGHTS
     lights: tuple[Light, ...] = (Light(diffuse=WHITE, specular=WHITE),) + (Light(),) * (MAX_LIGHTS - 1)
 
@@ -103,7 +75,7 @@ class Lighting(NamedTuple):
 class Transform(NamedTuple):
     """Group GL_TRANSFORM_BIT; clip planes are in eye space."""
 
-    matrix_mode: int = GL_MODELVIEW
+    matrix_mode: int = gl.GL_MODELVIEW
     normalize: bool = False
     rescale_normal: bool = False
     clip_enabled: tuple[bool, ...] = (False,) * MAX_CLIP_PLANES
@@ -146,10 +118,10 @@ class Polygon(NamedTuple):
     """Group GL_POLYGON_BIT."""
 
     cull: bool = False
-    cull_face: int = GL_BACK
-    front_face: int = GL_CCW
-    front_mode: int = GL_FILL
-    back_mode: int = GL_FILL
+    cull_face: int = gl.GL_BACK
+    front_face: int = gl.GL_CCW
+    front_mode: int = gl.GL_FILL
+    back_mode: int = gl.GL_FILL
     smooth: bool = False
     stipple: bool = False
     offset_fill: bool = False
@@ -168,12 +140,12 @@ class PolygonStipple(NamedTuple):
 class Combine(NamedTuple):
     """GL_COMBINE of a texture unit: functions, and the sources, operands and scales of their arguments."""
 
-    rgb: int = GL_MODULATE
-    alpha: int = GL_MODULATE
-    source_rgb: tuple[int, int, int] = (GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT)
-    source_alpha: tuple[int, int, int] = (GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT)
-    operand_rgb: tuple[int, int, int] = (GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA)
-    operand_alpha: tuple[int, int, int] = (GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA)
+    rgb: int = gl.GL_MODULATE
+    alpha: int = gl.GL_MODULATE
+    source_rgb: tuple[int, int, int] = (gl.GL_TEXTURE, gl.GL_PREVIOUS, gl.GL_CONSTANT)
+    source_alpha: tuple[int, int, int] = (gl.GL_TEXTURE, gl.GL_PREVIOUS, gl.GL_CONSTANT)
+    operand_rgb: tuple[int, int, int] = (gl.GL_SRC_COLOR, gl.GL_SRC_COLOR, gl.GL_SRC_ALPHA)
+    operand_alpha: tuple[int, int, int] = (gl.GL_SRC_ALPHA, gl.GL_SRC_ALPHA, gl.GL_SRC_ALPHA)
     scale_rgb: float = 1.0
     scale_alpha: float = 1.0
 
@@ -181,7 +153,7 @@ class Combine(NamedTuple):
 class TexGen(NamedTuple):
     """Generation of one texture coordinate; the eye plane is in eye space, as glTexGen found it."""
 
-    mode: int = GL_EYE_LINEAR
+    mode: int = gl.GL_EYE_LINEAR
     object_plane: Color = (0.0, 0.0, 0.0, 0.0)
     eye_plane: Color = (0.0, 0.0, 0.0, 0.0)
 
@@ -195,13 +167,13 @@ class TextureUnit(NamedTuple):
     enabled: tuple[bool, ...] = (False,) * 4
     names: tuple[int, ...] = (0,) * 4
     bound: tuple[Texture, ...] = tuple(map(Texture, range(1, 5)))
-    environment: int = GL_MODULATE
+    environment: int = gl.GL_MODULATE
     environment_color: Color = (0.0, 0.0, 0.0, 0.0)
     lod_bias: float = 0.0
     combine: Combine = Combine()
     generated: tuple[bool, ...] = (False,) * 4
     generators: tuple[TexGen, ...] = (
-        TexGen(GL_EYE_LINEAR, _S, _S), TexGen(GL_EYE_LINEAR, _T, _T), TexGen(), TexGen(),
+        TexGen(gl.GL_EYE_LINEAR, _S, _S), TexGen(gl.GL_EYE_LINEAR, _T, _T), TexGen(), TexGen(),
     )  # fmt: skip
 
     @property
@@ -237,11 +209,11 @@ class Fog(NamedTuple):
 
     enabled: bool = False
     color: Color = (0.0, 0.0, 0.0, 0.0)
-    mode: int = GL_EXP
+    mode: int = gl.GL_EXP
     density: float = 1.0
     start: float = 0.0
     end: float = 1.0
-    coordinate_source: int = GL_FRAGMENT_DEPTH
+    coordinate_source: int = gl.GL_FRAGMENT_DEPTH
     color_sum: bool = False
     color_index: float = 0.0
 
@@ -250,7 +222,7 @@ class Depth(NamedTuple):
     """Group GL_DEPTH_BUFFER_BIT."""
 
     test: bool = False
-    func: int = GL_LESS
+    func: int = gl.GL_LESS
     mask: bool = True
     clear: float = 1.0
 
@@ -259,13 +231,13 @@ class Stencil(NamedTuple):
     """Group GL_STENCIL_BUFFER_BIT."""
 
     test: bool = False
-    func: int = GL_ALWAYS
+    func: int = gl.GL_ALWAYS
     reference: int = 0
     value_mask: int = 0xFFFFFFFF
     write_mask: int = 0xFFFFFFFF
-    fail: int = GL_KEEP
-    depth_fail: int = GL_KEEP
-    depth_pass: int = GL_KEEP
+    fail: int = gl.GL_KEEP
+    depth_fail: int = gl.GL_KEEP
+    depth_pass: int = gl.GL_KEEP
     clear: int = 0
 
 
@@ -276,16 +248,21 @@ class ColorBuffer(NamedTuple):
     clear: Color = (0.0, 0.0, 0.0, 0.0)
     dither: bool = True
     alpha_test: bool = False
-    alpha_func: int = GL_ALWAYS
+    alpha_func: int = gl.GL_ALWAYS
     alpha_reference: float = 0.0
     blend: bool = False
-    blend_equation: int = GL_FUNC_ADD
-    blend_function: tuple[int, int, int, int] = (GL_ONE, GL_ZERO, GL_ONE, GL_ZERO)  # rgb source, destination; alpha
+    blend_equation: int = gl.GL_FUNC_ADD
+    blend_function: tuple[int, int, int, int] = (
+        gl.GL_ONE,
+        gl.GL_ZERO,
+        gl.GL_ONE,
+        gl.GL_ZERO,
+    )  # rgb source, destination; alpha
     blend_color: Color = (0.0, 0.0, 0.0, 0.0)
     logic_op_enabled: bool = False
-    logic_op: int = GL_COPY
+    logic_op: int = gl.GL_COPY
     index_logic_op: bool = False
-    draw_buffer: int = GL_FRONT
+    draw_buffer: int = gl.GL_FRONT
 
 
 class Scissor(NamedTuple):

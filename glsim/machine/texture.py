@@ -12,83 +12,34 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.constants import (
-    GL_ALPHA,
-    GL_ALPHA4,
-    GL_ALPHA8,
-    GL_ALPHA12,
-    GL_ALPHA16,
-    GL_COMPRESSED_ALPHA,
-    GL_COMPRESSED_INTENSITY,
-    GL_COMPRESSED_LUMINANCE,
-    GL_COMPRESSED_LUMINANCE_ALPHA,
-    GL_COMPRESSED_RGB,
-    GL_COMPRESSED_RGBA,
-    GL_DEPTH_COMPONENT,
-    GL_DEPTH_COMPONENT16,
-    GL_DEPTH_COMPONENT24,
-    GL_DEPTH_COMPONENT32,
-    GL_INTENSITY,
-    GL_INTENSITY4,
-    GL_INTENSITY8,
-    GL_INTENSITY12,
-    GL_INTENSITY16,
-    GL_LEQUAL,
-    GL_LINEAR,
-    GL_LUMINANCE,
-    GL_LUMINANCE4,
-    GL_LUMINANCE4_ALPHA4,
-    GL_LUMINANCE6_ALPHA2,
-    GL_LUMINANCE8,
-    GL_LUMINANCE8_ALPHA8,
-    GL_LUMINANCE12,
-    GL_LUMINANCE12_ALPHA4,
-    GL_LUMINANCE12_ALPHA12,
-    GL_LUMINANCE16,
-    GL_LUMINANCE16_ALPHA16,
-    GL_LUMINANCE_ALPHA,
-    GL_NEAREST,
-    GL_NEAREST_MIPMAP_LINEAR,
-    GL_R3_G3_B2,
-    GL_REPEAT,
-    GL_RGB,
-    GL_RGB4,
-    GL_RGB5,
-    GL_RGB5_A1,
-    GL_RGB8,
-    GL_RGB10,
-    GL_RGB10_A2,
-    GL_RGB12,
-    GL_RGB16,
-    GL_RGBA,
-    GL_RGBA2,
-    GL_RGBA4,
-    GL_RGBA8,
-    GL_RGBA12,
-    GL_RGBA16,
-)
+from glsim.machine import constants as gl
 
 # internal format -> base internal format; 1 to 4 are OpenGL 1.0's numbers of components
-BASE_FORMATS: dict[int, int] = {1: GL_LUMINANCE, 2: GL_LUMINANCE_ALPHA, 3: GL_RGB, 4: GL_RGBA}
+BASE_FORMATS: dict[int, int] = {1: gl.GL_LUMINANCE, 2: gl.GL_LUMINANCE_ALPHA, 3: gl.GL_RGB, 4: gl.GL_RGBA}
 for _base, _formats in (
-    (GL_ALPHA, (GL_ALPHA, GL_ALPHA4, GL_ALPHA8, GL_ALPHA12, GL_ALPHA16)),
-    (GL_LUMINANCE, (GL_LUMINANCE, GL_LUMINANCE4, GL_LUMINANCE8, GL_LUMINANCE12, GL_LUMINANCE16)),
-    (GL_LUMINANCE_ALPHA, (
-        GL_LUMINANCE_ALPHA, GL_LUMINANCE4_ALPHA4, GL_LUMINANCE6_ALPHA2, GL_LUMINANCE8_ALPHA8, GL_LUMINANCE12_ALPHA4,
-        GL_LUMINANCE12_ALPHA12, GL_LUMINANCE16_ALPHA16,
+    (gl.GL_ALPHA, (gl.GL_ALPHA, gl.GL_ALPHA4, gl.GL_ALPHA8, gl.GL_ALPHA12, gl.GL_ALPHA16)),
+    (gl.GL_LUMINANCE, (gl.GL_LUMINANCE, gl.GL_LUMINANCE4, gl.GL_LUMINANCE8, gl.GL_LUMINANCE12, gl.GL_LUMINANCE16)),
+    (gl.GL_LUMINANCE_ALPHA, (
+        gl.GL_LUMINANCE_ALPHA, gl.GL_LUMINANCE4_ALPHA4, gl.GL_LUMINANCE6_ALPHA2, gl.GL_LUMINANCE8_ALPHA8,
+        gl.GL_LUMINANCE12_ALPHA4,
+        gl.GL_LUMINANCE12_ALPHA12, gl.GL_LUMINANCE16_ALPHA16,
     )),
-    (GL_INTENSITY, (GL_INTENSITY, GL_INTENSITY4, GL_INTENSITY8, GL_INTENSITY12, GL_INTENSITY16)),
-    (GL_RGB, (GL_RGB, GL_R3_G3_B2, GL_RGB4, GL_RGB5, GL_RGB8, GL_RGB10, GL_RGB12, GL_RGB16)),
-    (GL_RGBA, (GL_RGBA, GL_RGBA2, GL_RGBA4, GL_RGB5_A1, GL_RGBA8, GL_RGB10_A2, GL_RGBA12, GL_RGBA16)),
+    (gl.GL_INTENSITY, (gl.GL_INTENSITY, gl.GL_INTENSITY4, gl.GL_INTENSITY8, gl.GL_INTENSITY12, gl.GL_INTENSITY16)),
+    (gl.GL_RGB, (gl.GL_RGB, gl.GL_R3_G3_B2, gl.GL_RGB4, gl.GL_RGB5, gl.GL_RGB8, gl.GL_RGB10, gl.GL_RGB12, gl.GL_RGB16)),
+    (gl.GL_RGBA, (gl.GL_RGBA, gl.GL_RGBA2, gl.GL_RGBA4, gl.GL_RGB5_A1, gl.GL_RGBA8, gl.GL_RGB10_A2, gl.GL_RGBA12,
+    gl.GL_RGBA16)),
 ):  # fmt: skip
     BASE_FORMATS.update(dict.fromkeys(_formats, _base))
 
 BASE_FORMATS.update(dict.fromkeys(
-    (GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32), GL_DEPTH_COMPONENT
+    (gl.GL_DEPTH_COMPONENT, gl.GL_DEPTH_COMPONENT16, gl.GL_DEPTH_COMPONENT24, gl.GL_DEPTH_COMPONENT32),
+    gl.GL_DEPTH_COMPONENT
 ))  # fmt: skip
 BASE_FORMATS.update({  # generic compressed formats: a driver may choose not to compress, and glsim does not
-    GL_COMPRESSED_ALPHA: GL_ALPHA, GL_COMPRESSED_LUMINANCE: GL_LUMINANCE, GL_COMPRESSED_INTENSITY: GL_INTENSITY,
-    GL_COMPRESSED_LUMINANCE_ALPHA: GL_LUMINANCE_ALPHA, GL_COMPRESSED_RGB: GL_RGB, GL_COMPRESSED_RGBA: GL_RGBA,
+    gl.GL_COMPRESSED_ALPHA: gl.GL_ALPHA, gl.GL_COMPRESSED_LUMINANCE: gl.GL_LUMINANCE,
+    gl.GL_COMPRESSED_INTENSITY: gl.GL_INTENSITY,
+    gl.GL_COMPRESSED_LUMINANCE_ALPHA: gl.GL_LUMINANCE_ALPHA, gl.GL_COMPRESSED_RGB: gl.GL_RGB,
+    gl.GL_COMPRESSED_RGBA: gl.GL_RGBA,
 })  # fmt: skip
 
 MAX_TEXTURE_SIZE = 4096
@@ -133,11 +84,11 @@ class Images:
 class Sampler:
     """glTexParameter."""
 
-    min_filter: int = GL_NEAREST_MIPMAP_LINEAR
-    mag_filter: int = GL_LINEAR
-    wrap_s: int = GL_REPEAT
-    wrap_t: int = GL_REPEAT
-    wrap_r: int = GL_REPEAT
+    min_filter: int = gl.GL_NEAREST_MIPMAP_LINEAR
+    mag_filter: int = gl.GL_LINEAR
+    wrap_s: int = gl.GL_REPEAT
+    wrap_t: int = gl.GL_REPEAT
+    wrap_r: int = gl.GL_REPEAT
     border_color: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
     priority: float = 1.0
     min_lod: float = -1000.0
@@ -145,22 +96,22 @@ class Sampler:
     base_level: int = 0
     max_level: int = 1000
     lod_bias: float = 0.0
-    depth_mode: int = GL_LUMINANCE
+    depth_mode: int = gl.GL_LUMINANCE
     compare_mode: int = 0
-    compare_func: int = GL_LEQUAL
+    compare_func: int = gl.GL_LEQUAL
     generate_mipmap: bool = False
 
 
 def in_base_format(rgba: NDArray[Any], base: int, one: float) -> NDArray[Any]:
     """Red, green, blue, alpha (..., 4) as texels of a base internal format have them; one: what stands for 1."""
     result = rgba.copy()
-    if base in (GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY):
+    if base in (gl.GL_LUMINANCE, gl.GL_LUMINANCE_ALPHA, gl.GL_INTENSITY):
         result[..., :3] = rgba[..., :1]
-    if base == GL_INTENSITY:
+    if base == gl.GL_INTENSITY:
         result[..., 3] = rgba[..., 0]
-    elif base in (GL_LUMINANCE, GL_RGB):
+    elif base in (gl.GL_LUMINANCE, gl.GL_RGB):
         result[..., 3] = one
-    elif base == GL_ALPHA:
+    elif base == gl.GL_ALPHA:
         result[..., :3] = 0
     return result
 
@@ -186,7 +137,7 @@ class Texture:
 
     @property
     def is_depth(self) -> bool:
-        return self.base is not None and self.base.base_format == GL_DEPTH_COMPONENT
+        return self.base is not None and self.base.base_format == gl.GL_DEPTH_COMPONENT
 
     @property
     def base_format(self) -> int:
@@ -197,7 +148,7 @@ class Texture:
 
     @property
     def mipmapped(self) -> bool:
-        return self.sampler.min_filter not in (GL_NEAREST, GL_LINEAR)
+        return self.sampler.min_filter not in (gl.GL_NEAREST, gl.GL_LINEAR)
 
     @property
     def complete(self) -> bool:

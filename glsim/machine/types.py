@@ -9,37 +9,28 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.constants import (
-    GL_BYTE,
-    GL_DOUBLE,
-    GL_FLOAT,
-    GL_INT,
-    GL_SHORT,
-    GL_UNSIGNED_BYTE,
-    GL_UNSIGNED_INT,
-    GL_UNSIGNED_SHORT,
-    Enum,
-)
+from glsim.machine import constants as gl
+from glsim.machine.constants import Enum
 
 SUFFIXES: dict[str, Enum] = {
-    "b": GL_BYTE,
-    "s": GL_SHORT,
-    "i": GL_INT,
-    "f": GL_FLOAT,
-    "d": GL_DOUBLE,
-    "ub": GL_UNSIGNED_BYTE,
-    "us": GL_UNSIGNED_SHORT,
-    "ui": GL_UNSIGNED_INT,
+    "b": gl.GL_BYTE,
+    "s": gl.GL_SHORT,
+    "i": gl.GL_INT,
+    "f": gl.GL_FLOAT,
+    "d": gl.GL_DOUBLE,
+    "ub": gl.GL_UNSIGNED_BYTE,
+    "us": gl.GL_UNSIGNED_SHORT,
+    "ui": gl.GL_UNSIGNED_INT,
 }
 DTYPES: dict[int, type] = {
-    GL_BYTE: np.int8,
-    GL_UNSIGNED_BYTE: np.uint8,
-    GL_SHORT: np.int16,
-    GL_UNSIGNED_SHORT: np.uint16,
-    GL_INT: np.int32,
-    GL_UNSIGNED_INT: np.uint32,
-    GL_FLOAT: np.float32,
-    GL_DOUBLE: np.float64,
+    gl.GL_BYTE: np.int8,
+    gl.GL_UNSIGNED_BYTE: np.uint8,
+    gl.GL_SHORT: np.int16,
+    gl.GL_UNSIGNED_SHORT: np.uint16,
+    gl.GL_INT: np.int32,
+    gl.GL_UNSIGNED_INT: np.uint32,
+    gl.GL_FLOAT: np.float32,
+    gl.GL_DOUBLE: np.float64,
 }
 
 _Number: Any = ctypes.c_int.__base__  # what c_int, c_float, ... have in common

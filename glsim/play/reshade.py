@@ -4,23 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from glsim.machine.constants import (
-    GL_BLINN_TORRANCE_GLSIM,
-    GL_COLOR_BUFFER_BIT,
-    GL_DEPTH_BUFFER_BIT,
-    GL_FLAT,
-    GL_LINE,
-    GL_PHONG_LOBE_GLSIM,
-    GL_PHONG_WIN,
-    GL_SMOOTH,
-    GL_STENCIL_BUFFER_BIT,
-)
+from glsim.machine import constants as gl
 from glsim.machine.frame import Accum, Clear, Draw, Frame, Packet, QueryMark, Vertices
 from glsim.names import SHADING
 
-SHADE_MODEL = {"flat": GL_FLAT, "gouraud": GL_SMOOTH, "phong": GL_PHONG_WIN}
-LOBE = {"blinn": GL_BLINN_TORRANCE_GLSIM, "phong": GL_PHONG_LOBE_GLSIM}
-WHOLE = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT
+SHADE_MODEL = {"flat": gl.GL_FLAT, "gouraud": gl.GL_SMOOTH, "phong": gl.GL_PHONG_WIN}
+LOBE = {"blinn": gl.GL_BLINN_TORRANCE_GLSIM, "phong": gl.GL_PHONG_LOBE_GLSIM}
+WHOLE = gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
 
 
 def reshaded(shade: str | None, lobe: str | None) -> Callable[[Draw], Draw] | None:
@@ -79,7 +69,7 @@ def _unlit(frame: Frame) -> Frame:
 
 def _outlined(draw: Draw) -> Draw:
     """Polygons as their edges."""
-    polygon = draw.state.polygon._replace(front_mode=GL_LINE, back_mode=GL_LINE)
+    polygon = draw.state.polygon._replace(front_mode=gl.GL_LINE, back_mode=gl.GL_LINE)
     return draw.with_state(draw.state._replace(polygon=polygon))
 
 
@@ -97,6 +87,6 @@ def needed(packets: list[Packet]) -> list[Packet]:
 
 def _wipes(clear: Clear, stencil: bool) -> bool:
     state = clear.state
-    buffers = WHOLE | (GL_STENCIL_BUFFER_BIT if stencil else 0)
+    buffers = WHOLE | (gl.GL_STENCIL_BUFFER_BIT if stencil else 0)
     writes = all(state.color_buffer.mask) and state.depth.mask and not state.scissor.test
     return clear.mask & buffers == buffers and writes and (not stencil or state.stencil.write_mask & 255 == 255)

@@ -14,8 +14,8 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.machine import constants as gl
 from glsim.machine.assembly import SEPARATE, assemble, complete, corners
-from glsim.machine.constants import GL_FLAT, GL_LINES, GL_POINTS, GL_TRIANGLES
 from glsim.machine.frame import Draw, Matrices, Vertices
 from glsim.machine.state import Color, Material, Snapshot
 
@@ -28,7 +28,7 @@ MERGE_BELOW = 4096
 # Rows of transforms and materials that one program has room for; a device may have room for less.
 MOST_OBJECTS = 256
 
-PLAIN = {1: GL_POINTS, 2: GL_LINES, 3: GL_TRIANGLES}
+PLAIN = {1: gl.GL_POINTS, 2: gl.GL_LINES, 3: gl.GL_TRIANGLES}
 
 
 class Object:
@@ -229,7 +229,7 @@ def assembled(draw: Draw) -> Uint32:
 
 def _assembled(draw: Draw, first: int, count: int, keep: bool = False) -> Uint32:
     lighting = draw.state.lighting
-    last = lighting.shade_model == GL_FLAT or (lighting.enabled and lighting.two_side) or draw.indices is not None
+    last = lighting.shade_model == gl.GL_FLAT or (lighting.enabled and lighting.two_side) or draw.indices is not None
     if draw.indices is None:
         pattern = assemble(draw.mode, count, last)
         if pattern is None:

@@ -13,16 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
-from glsim.machine.constants import (
-    GL_DEPTH_COMPONENT,
-    GL_FLOAT,
-    GL_NEAREST,
-    GL_PACK_ALIGNMENT,
-    GL_RGBA,
-    GL_SCISSOR_TEST,
-    GL_STENCIL_INDEX,
-    GL_UNSIGNED_BYTE,
-)
+from glsim.machine import constants as gl
 from glsim.machine.current import Place, current_machine, here, make_current
 from glsim.machine.frame import Packet
 from glsim.machine.interrupts import uninterrupted
@@ -41,9 +32,9 @@ GL_FRAMEBUFFER, GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMEN
 GL_ALL_BUFFERS, GL_READ_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER = 0x4500, 0x8CA8, 0x8CA9
 # what `read` can read: format, type
 READABLE: dict[str, tuple[int, int]] = {
-    "color": (GL_RGBA, GL_UNSIGNED_BYTE),
-    "depth": (GL_DEPTH_COMPONENT, GL_FLOAT),
-    "stencil": (GL_STENCIL_INDEX, GL_UNSIGNED_BYTE),
+    "color": (gl.GL_RGBA, gl.GL_UNSIGNED_BYTE),
+    "depth": (gl.GL_DEPTH_COMPONENT, gl.GL_FLOAT),
+    "stencil": (gl.GL_STENCIL_INDEX, gl.GL_UNSIGNED_BYTE),
 }
 
 
@@ -162,7 +153,7 @@ class Offscreen:
         """Black, transparent, far away."""
         framebuffer.use()
         raw = self._raw
-        raw.glDisable(GL_SCISSOR_TEST)
+        raw.glDisable(gl.GL_SCISSOR_TEST)
         raw.glColorMask(1, 1, 1, 1)
         raw.glDepthMask(1)
         raw.glStencilMask(0xFFFFFFFF)
@@ -250,11 +241,11 @@ class Offscreen:
 
     def _read(self, x: int, y: int, width: int, height: int, what: str) -> NDArray[Any]:
         format, kind = READABLE[what]
-        dtype = np.float32 if kind == GL_FLOAT else np.uint8
+        dtype = np.float32 if kind == gl.GL_FLOAT else np.uint8
         pixels = np.zeros((height, width, 4) if what == "color" else (height, width), dtype)
         self._resolve()
         self._resolved.use()
-        self._raw.glPixelStorei(GL_PACK_ALIGNMENT, 1)
+        self._raw.glPixelStorei(gl.GL_PACK_ALIGNMENT, 1)
         left, bottom = max(x, 0), max(y, 0)  # drivers add x and width in 32 bits, and may crash where that is too much
         right, top = min(x + width, self.width), min(y + height, self.height)
         if left >= right or bottom >= top:
@@ -279,10 +270,10 @@ class Offscreen:
         """From several samples a pixel to one."""
         if self.samples:
             raw, corners = self._raw, (0, 0, self.width, self.height)
-            raw.glDisable(GL_SCISSOR_TEST)
+            raw.glDisable(gl.GL_SCISSOR_TEST)
             raw.glBindFramebuffer(GL_READ_FRAMEBUFFER, self._target.glo)
             raw.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, self._resolved.glo)
-            raw.glBlitFramebuffer(*corners, *corners, GL_ALL_BUFFERS, GL_NEAREST)
+            raw.glBlitFramebuffer(*corners, *corners, GL_ALL_BUFFERS, gl.GL_NEAREST)
 
     def describe(self) -> dict[str, Any]:
         """Vendor, renderer and version of the driver beneath, the backend, the number of samples."""

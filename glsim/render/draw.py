@@ -14,29 +14,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.constants import (
-    GL_ACCUM,
-    GL_ACCUM_BUFFER_BIT,
-    GL_ADD,
-    GL_BLEND,
-    GL_CLIP_PLANE0,
-    GL_COLOR_LOGIC_OP,
-    GL_CULL_FACE,
-    GL_DEPTH_TEST,
-    GL_DITHER,
-    GL_LOAD,
-    GL_MULT,
-    GL_MULTISAMPLE,
-    GL_NONE,
-    GL_POLYGON_OFFSET_FILL,
-    GL_QUERY_RESULT,
-    GL_SAMPLE_ALPHA_TO_COVERAGE,
-    GL_SAMPLE_ALPHA_TO_ONE,
-    GL_SAMPLE_COVERAGE,
-    GL_SAMPLES_PASSED,
-    GL_SCISSOR_TEST,
-    GL_STENCIL_TEST,
-)
+from glsim.machine import constants as gl
 from glsim.machine.frame import Accum, Clear, Draw, Packet, Pixels, QueryMark, Vertices
 from glsim.machine.matrix import Matrix, evaluate, inverse_transpose, multiply
 from glsim.machine.pixels import PixelMode
@@ -164,7 +142,7 @@ class Renderer:
         """Forget the accumulation buffer and a query that has not ended; the context must be current."""
         self.accumulation = None
         if self.query:
-            self.raw.glEndQuery(GL_SAMPLES_PASSED)
+            self.raw.glEndQuery(gl.GL_SAMPLES_PASSED)
             self.query = 0
 
     # ------------------------------------------------------------ packets
@@ -209,7 +187,7 @@ class Renderer:
         raw.glClearDepth(state.depth.clear)
         raw.glClearStencil(state.stencil.clear)
         raw.glClear(packet.mask & CORE_BITS)
-        if packet.mask & GL_ACCUM_BUFFER_BIT:
+        if packet.mask & gl.GL_ACCUM_BUFFER_BIT:
             part = self._scissored(state)
             self._accum()[part] = packet.accum
 
@@ -218,11 +196,11 @@ class Renderer:
         raw, number = self.raw, ctypes.c_uint()
         if packet.begin:
             raw.glGenQueries(1, ctypes.byref(number))
-            raw.glBeginQuery(GL_SAMPLES_PASSED, number.value)
+            raw.glBeginQuery(gl.GL_SAMPLES_PASSED, number.value)
             self.query = number.value
         elif self.query:
-            raw.glEndQuery(GL_SAMPLES_PASSED)
-            raw.glGetQueryObjectuiv(self.query, GL_QUERY_RESULT, ctypes.byref(number))
+            raw.glEndQuery(gl.GL_SAMPLES_PASSED)
+            raw.glGetQueryObjectuiv(self.query, gl.GL_QUERY_RESULT, ctypes.byref(number))
             packet.query.result = number.value
             raw.glDeleteQueries(1, ctypes.byref(ctypes.c_uint(self.query)))
             self.query = 0
@@ -258,13 +236,13 @@ class Renderer:
         width, height = columns.stop - columns.start, rows.stop - rows.start
         if width <= 0 or height <= 0:
             return
-        if packet.operation in (GL_ACCUM, GL_LOAD):
+        if packet.operation in (gl.GL_ACCUM, gl.GL_LOAD):
             colors = read(columns.start, rows.start, width, height, "color") * np.float32(packet.value / 255.0)
             self.fixed = None
-            buffer[part] = colors if packet.operation == GL_LOAD else buffer[part] + colors
-        elif packet.operation == GL_MULT:
+            buffer[part] = colors if packet.operation == gl.GL_LOAD else buffer[part] + colors
+        elif packet.operation == gl.GL_MULT:
             buffer[part] *= np.float32(packet.value)
-        elif packet.operation == GL_ADD:
+        elif packet.operation == gl.GL_ADD:
             buffer[part] += np.float32(packet.value)
         else:
             image = np.clip(buffer[part] * np.float32(packet.value), 0.0, 1.0)
@@ -393,21 +371,21 @@ class Renderer:
             raw.glDepthRange(*state.viewport[4:])
         if before is None or (old.polygon, before[1]) != (state.polygon, corners):  # type: ignore[union-attr]
             polygon = state.polygon
-            self._switch(GL_CULL_FACE, polygon.cull and corners == 3)
-            self._switch(GL_POLYGON_OFFSET_FILL, polygon.offset_fill and corners == 3)
+            self._switch(gl.GL_CULL_FACE, polygon.cull and corners == 3)
+            self._switch(gl.GL_POLYGON_OFFSET_FILL, polygon.offset_fill and corners == 3)
             raw.glCullFace(polygon.cull_face)
             raw.glFrontFace(polygon.front_face)
             raw.glPolygonOffset(polygon.offset_factor, polygon.offset_units)
         if old is None or old.depth != state.depth:
-            self._switch(GL_DEPTH_TEST, state.depth.test)
+            self._switch(gl.GL_DEPTH_TEST, state.depth.test)
             raw.glDepthFunc(state.depth.func)
             raw.glDepthMask(state.depth.mask)
         if old is None or old.scissor != state.scissor:
-            self._switch(GL_SCISSOR_TEST, state.scissor.test)
+            self._switch(gl.GL_SCISSOR_TEST, state.scissor.test)
             raw.glScissor(*state.scissor[1:])
         if old is None or old.stencil != state.stencil:
             stencil = state.stencil
-            self._switch(GL_STENCIL_TEST, stencil.test)
+            self._switch(gl.GL_STENCIL_TEST, stencil.test)
             raw.glStencilFunc(stencil.func, stencil.reference, stencil.value_mask)
             raw.glStencilOp(stencil.fail, stencil.depth_fail, stencil.depth_pass)
             raw.glStencilMask(stencil.write_mask)
@@ -415,24 +393,24 @@ class Renderer:
             self._apply_color_buffer(state.color_buffer)
         if old is None or old.transform.clip_enabled != state.transform.clip_enabled:
             for number, enabled in enumerate(state.transform.clip_enabled):
-                self._switch(GL_CLIP_PLANE0 + number, enabled)  # the same value as GL_CLIP_DISTANCE0
+                self._switch(gl.GL_CLIP_PLANE0 + number, enabled)  # the same value as GL_CLIP_DISTANCE0
         if old is None or old.multisample != state.multisample:
             multisample = state.multisample
-            self._switch(GL_MULTISAMPLE, multisample.enabled)
-            self._switch(GL_SAMPLE_ALPHA_TO_COVERAGE, multisample.alpha_to_coverage)
-            self._switch(GL_SAMPLE_ALPHA_TO_ONE, multisample.alpha_to_one)
-            self._switch(GL_SAMPLE_COVERAGE, multisample.coverage)
+            self._switch(gl.GL_MULTISAMPLE, multisample.enabled)
+            self._switch(gl.GL_SAMPLE_ALPHA_TO_COVERAGE, multisample.alpha_to_coverage)
+            self._switch(gl.GL_SAMPLE_ALPHA_TO_ONE, multisample.alpha_to_one)
+            self._switch(gl.GL_SAMPLE_COVERAGE, multisample.coverage)
             raw.glSampleCoverage(multisample.coverage_value, multisample.coverage_invert)
 
     def _apply_color_buffer(self, color: ColorBuffer) -> None:
         raw = self.raw
-        self._switch(GL_DITHER, color.dither)
-        raw.glColorMask(*(color.mask if color.draw_buffer != GL_NONE else (False,) * 4))
-        self._switch(GL_BLEND, color.blend and not color.logic_op_enabled)
+        self._switch(gl.GL_DITHER, color.dither)
+        raw.glColorMask(*(color.mask if color.draw_buffer != gl.GL_NONE else (False,) * 4))
+        self._switch(gl.GL_BLEND, color.blend and not color.logic_op_enabled)
         raw.glBlendFuncSeparate(*color.blend_function)
         raw.glBlendEquation(color.blend_equation)
         raw.glBlendColor(*color.blend_color)
-        self._switch(GL_COLOR_LOGIC_OP, color.logic_op_enabled)
+        self._switch(gl.GL_COLOR_LOGIC_OP, color.logic_op_enabled)
         raw.glLogicOp(color.logic_op)
 
     def _switch(self, cap: int, on: bool) -> None:

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.machine import constants as gl
 from glsim.machine.assembly import corners
-from glsim.machine.constants import GL_ALWAYS, GL_DEPTH_COMPONENT, GL_FLOAT, GL_PACK_ALIGNMENT, GL_SMOOTH
 from glsim.machine.frame import Clear, Draw, Packet, Pixels
 from glsim.machine.interrupts import uninterrupted
 from glsim.machine.state import ColorBuffer, Depth, Lighting, Scissor, Snapshot, Stencil
@@ -140,7 +140,7 @@ class Inspector:
         inside = test.x <= x < test.x + test.width and test.y <= y < test.y + test.height
         if test.test and not inside:
             return None
-        always = Depth(True, GL_ALWAYS)
+        always = Depth(True, gl.GL_ALWAYS)
         buffers = ColorBuffer(dither=False)
         alone = state._replace(scissor=Scissor(True, x, y, 1, 1), depth=always, stencil=Stencil(), color_buffer=buffers)
         with uninterrupted(), self.screen.ctx:
@@ -164,8 +164,8 @@ class Inspector:
     def _depth(self, x: int, y: int) -> float:
         value = np.zeros(1, np.float32)
         self.target.use()
-        self.renderer.raw.glPixelStorei(GL_PACK_ALIGNMENT, 1)
-        self.renderer.raw.glReadPixels(x, y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, value.ctypes.data)
+        self.renderer.raw.glPixelStorei(gl.GL_PACK_ALIGNMENT, 1)
+        self.renderer.raw.glReadPixels(x, y, 1, 1, gl.GL_DEPTH_COMPONENT, gl.GL_FLOAT, value.ctypes.data)
         return float(value[0])
 
     def draw(self, piece: Piece, primitive: int, x: int, y: int) -> None:
@@ -219,9 +219,9 @@ class Inspector:
     def _whole_depth(self) -> NDArray[np.float32]:
         depth = np.zeros((self.screen.height, self.screen.width), np.float32)
         self.target.use()
-        self.renderer.raw.glPixelStorei(GL_PACK_ALIGNMENT, 1)
+        self.renderer.raw.glPixelStorei(gl.GL_PACK_ALIGNMENT, 1)
         size = (self.screen.width, self.screen.height)
-        self.renderer.raw.glReadPixels(0, 0, *size, GL_DEPTH_COMPONENT, GL_FLOAT, depth.ctypes.data)
+        self.renderer.raw.glReadPixels(0, 0, *size, gl.GL_DEPTH_COMPONENT, gl.GL_FLOAT, depth.ctypes.data)
         return depth[::-1]
 
 
@@ -237,7 +237,7 @@ def _marked(piece: Piece, state: Snapshot) -> Draw:
         block.rows[:, 9] = draw.color[3]
     if draw.state.lighting.enabled and state.color_buffer.alpha_test:
         block.rows[:, 9] = [material.front.diffuse[3] for material in draw.materials_at(np.arange(draw.count))]
-    plain = state._replace(lighting=Lighting(shade_model=GL_SMOOTH), fog=state.fog._replace(color_sum=False))
+    plain = state._replace(lighting=Lighting(shade_model=gl.GL_SMOOTH), fog=state.fog._replace(color_sum=False))
     return Draw(draw.mode, 0, draw.count, None, draw.matrices, draw.material, plain, block)
 
 

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.machine import constants as gl
 from glsim.machine.commands import COMMANDS, Command
-from glsim.machine.constants import GL_2_BYTES, GL_3_BYTES, GL_4_BYTES, GL_BITMAP, GL_UNSIGNED_INT
 from glsim.machine.frame import Call
 from glsim.machine.pixels import PACKED
 from glsim.machine.types import DTYPES, SUFFIXES, raw_bytes
@@ -185,7 +185,7 @@ def c_calls(name: str, arguments: Arguments) -> Iterator[tuple[str, Arguments]]:
     elif name == "glCallLists" and given.get("type") is None:
         lists = raw_bytes(given["n"])
         lists = np.asarray(given["n"]) if lists is None else lists
-        given.update(n=lists.size, type=GL_UNSIGNED_INT, lists=lists)
+        given.update(n=lists.size, type=gl.GL_UNSIGNED_INT, lists=lists)
     elif name == "glPolygonStipple" and np.size(given["mask"]) == 1024:  # ones and zeros
         given.update(mask=np.packbits(np.reshape(given["mask"], (32, 32)) != 0, axis=1))
     elif name == "glBufferData" and given.get("usage") is None:
@@ -226,7 +226,7 @@ def pass_on(command: Command, arguments: Arguments, kept: list[Any]) -> Argument
 
 def _element(command: Command, parameter: str, kind: Any) -> Any:
     """The numpy type of an array argument; None: that of the array itself."""
-    if (command.name, parameter) in BYTES or kind in (GL_2_BYTES, GL_3_BYTES, GL_4_BYTES, GL_BITMAP):
+    if (command.name, parameter) in BYTES or kind in (gl.GL_2_BYTES, gl.GL_3_BYTES, gl.GL_4_BYTES, gl.GL_BITMAP):
         return np.uint8
     if parameter in ELEMENTS:
         return ELEMENTS[parameter]

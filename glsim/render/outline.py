@@ -13,23 +13,9 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.machine import constants as gl
 from glsim.machine.assembly import corners, counterclockwise, outlines
 from glsim.machine.clipping import BOUNDARY, INTERIOR, INTRODUCED, VIEW_PLANES, clipped, distances, edge_kinds
-from glsim.machine.constants import (
-    GL_BACK,
-    GL_CCW,
-    GL_FILL,
-    GL_FLAT,
-    GL_FRONT,
-    GL_FRONT_AND_BACK,
-    GL_LINE,
-    GL_LINES,
-    GL_PHONG_WIN,
-    GL_POINTS,
-    GL_POLYGON,
-    GL_SMOOTH,
-    GL_TRIANGLES,
-)
 from glsim.machine.frame import Draw, Vertices
 from glsim.machine.stage import vertex_stage
 from glsim.machine.state import Lighting, Material, Snapshot
@@ -56,7 +42,7 @@ def prepare(draws: Iterable[Draw]) -> Iterator[Draw]:
 def _need(draw: Draw) -> str:
     kind = corners(draw.mode)
     state = draw.state
-    if kind == 3 and (state.polygon.front_mode != GL_FILL or state.polygon.back_mode != GL_FILL):
+    if kind == 3 and (state.polygon.front_mode != gl.GL_FILL or state.polygon.back_mode != gl.GL_FILL):
         return "unfilled"
     if kind == 2 and (state.line.stipple or widened(state)) and "line_corner" not in draw.block.columns:
         return "lines"
@@ -78,7 +64,7 @@ def unfilled(draw: Draw) -> Iterator[Draw]:
     polygon = draw.state.polygon
     for first, end in _runs(draw.state, front):
         is_front = bool(front[first])
-        culled = polygon.cull and polygon.cull_face in (GL_FRONT_AND_BACK, GL_FRONT if is_front else GL_BACK)
+        culled = polygon.cull and polygon.cull_face in (gl.GL_FRONT_AND_BACK, gl.GL_FRONT if is_front else gl.GL_BACK)
         mode = polygon.front_mode if is_front else polygon.back_mode
         kept = slice(first, end)
         if not culled:
@@ -98,43 +84,45 @@ def _runs(state: Snapshot, front: NDArray[np.bool_]) -> Iterator[tuple[int, int]
 def facing(draw: Draw, rings: NDArray[np.uint32]) -> NDArray[np.bool_]:
     """Which polygons (n, k) show their front."""
     clip = clip_positions(draw, rings.ravel()).reshape(*rings.shape, 4)
-    return np.equal(counterclockwise(clip), draw.state.polygon.front_face == GL_CCW)
+    return np.equal(counterclockwise(clip), draw.state.polygon.front_face == gl.GL_CCW)
 
 
 def _face(
     draw: Draw, rings: NDArray[np.uint32], provoking: NDArray[np.uint32], mode: int, front: bool
 ) -> Iterator[Draw]:
     """Polygons of one facing as filled areas, edges or points."""
-    state = draw.state._replace(polygon=draw.state.polygon._replace(front_mode=GL_FILL, back_mode=GL_FILL, cull=False))
-    if mode == GL_FILL:
-        if draw.mode == GL_POLYGON:
-            yield _part(draw, GL_POLYGON, rings.ravel(), None, state, True)
+    state = draw.state._replace(
+        polygon=draw.state.polygon._replace(front_mode=gl.GL_FILL, back_mode=gl.GL_FILL, cull=False)
+    )
+    if mode == gl.GL_FILL:
+        if draw.mode == gl.GL_POLYGON:
+            yield _part(draw, gl.GL_POLYGON, rings.ravel(), None, state, True)
             return
         if rings.shape[1] == 4:  # cut as Mesa does where some polygons of a Draw are not filled
             rings = rings[:, [0, 1, 3, 1, 2, 3]]
-        yield _part(draw, GL_TRIANGLES, rings.ravel(), None, state, True)
+        yield _part(draw, gl.GL_TRIANGLES, rings.ravel(), None, state, True)
         return
     edges = edge_kinds(draw, rings)
     flags = edges == BOUNDARY
     offsets = _depth_offsets(draw, rings, mode)
     each = np.broadcast_to(np.arange(len(rings))[:, None], rings.shape)[flags]  # the polygon of each edge or corner
-    if mode == GL_LINE:
+    if mode == gl.GL_LINE:
         chosen = np.stack([rings, np.roll(rings, -1, axis=1)], axis=2)[flags].ravel()
         each = np.repeat(each, 2)
-        part = _part(draw, GL_LINES, chosen, provoking[each], state, front)
+        part = _part(draw, gl.GL_LINES, chosen, provoking[each], state, front)
     else:
-        part = _part(draw, GL_POINTS, rings[flags], provoking[each], state, front)
+        part = _part(draw, gl.GL_POINTS, rings[flags], provoking[each], state, front)
     if offsets is not None:
         part.block.columns["depth_offset"] = offsets[each, None]
     yield part
-    if mode == GL_LINE and not any(state.transform.clip_enabled):
+    if mode == gl.GL_LINE and not any(state.transform.clip_enabled):
         return
     planes = _planes(draw, rings, mode)
     outside = planes < 0.0
     cut = np.flatnonzero(np.any(outside, axis=(1, 2)) & ~np.any(np.all(outside, axis=1), axis=1))
     if len(cut):
         source = np.repeat(provoking[cut], rings.shape[1])
-        whole = _part(draw, GL_POINTS, rings[cut].ravel(), source, state, front)
+        whole = _part(draw, gl.GL_POINTS, rings[cut].ravel(), source, state, front)
         if offsets is not None:
             whole.block.columns["depth_offset"] = np.repeat(offsets[cut], rings.shape[1])[:, None]
         yield _introduced(whole, planes[cut], edges[cut], mode)
@@ -148,7 +136,7 @@ def _planes(draw: Draw, rings: NDArray[np.uint32], mode: int) -> NDArray[np.floa
     eye, clip = eye_and_clip(draw, rings.ravel())
     planes = distances(clip, eye, draw.state.transform)
     planes[:, :VIEW_PLANES] -= 1e-5 * np.abs(clip[:, 3:])
-    return planes.reshape(*rings.shape, -1)[..., VIEW_PLANES if mode == GL_LINE else 0 :]
+    return planes.reshape(*rings.shape, -1)[..., VIEW_PLANES if mode == gl.GL_LINE else 0 :]
 
 
 def _introduced(whole: Draw, planes: NDArray[np.float64], edges: NDArray[np.int64], mode: int) -> Draw:
@@ -160,8 +148,8 @@ def _introduced(whole: Draw, planes: NDArray[np.float64], edges: NDArray[np.int6
     whole: all corners of the polygons, planes: see _planes; edges: the kind of the edge from each corner (n, k).
     """
     rows, columns, state = whole.block.rows.copy(), dict(whole.block.columns), whole.state
-    lighting = Lighting(shade_model=GL_SMOOTH)
-    if state.lighting.enabled and state.lighting.shade_model == GL_PHONG_WIN:
+    lighting = Lighting(shade_model=gl.GL_SMOOTH)
+    if state.lighting.enabled and state.lighting.shade_model == gl.GL_PHONG_WIN:
         lighting = state.lighting
     elif state.lighting.enabled:  # colours are interpolated, the equation is not evaluated again
         stage = vertex_stage(whole, np.arange(len(rows), dtype=np.uint32), 0)
@@ -174,9 +162,9 @@ def _introduced(whole: Draw, planes: NDArray[np.float64], edges: NDArray[np.int6
     polygons = np.concatenate(all_columns, axis=1).astype(np.float64).reshape(*edges.shape, -1)
     kept = []
     for polygon, distances_of, kinds in zip(polygons, planes, edges, strict=True):
-        left = clipped(polygon, distances_of, kinds, 0 if mode == GL_LINE else VIEW_PLANES)
-        at = np.flatnonzero(left.edges == INTRODUCED if mode == GL_LINE else left.new & (left.edges != INTERIOR))
-        if mode == GL_LINE:
+        left = clipped(polygon, distances_of, kinds, 0 if mode == gl.GL_LINE else VIEW_PLANES)
+        at = np.flatnonzero(left.edges == INTRODUCED if mode == gl.GL_LINE else left.new & (left.edges != INTERIOR))
+        if mode == gl.GL_LINE:
             at = np.stack([at, (at + 1) % max(len(left.rows), 1)], axis=1).ravel()
         kept.append(left.rows[at])
     rows, *values = np.split(
@@ -184,7 +172,14 @@ def _introduced(whole: Draw, planes: NDArray[np.float64], edges: NDArray[np.int6
     )
     block = Vertices(np.ascontiguousarray(rows), columns | dict(zip(varying, values, strict=True)), [])
     part = Draw(
-        GL_LINES if mode == GL_LINE else GL_POINTS, 0, len(rows), None, whole.matrices, whole.material, state, block
+        gl.GL_LINES if mode == gl.GL_LINE else gl.GL_POINTS,
+        0,
+        len(rows),
+        None,
+        whole.matrices,
+        whole.material,
+        state,
+        block,
     )
     part.color = None if whole.state.lighting.enabled and not lighting.enabled else whole.color
     part.call = whole.call
@@ -197,7 +192,7 @@ def _depth_offsets(draw: Draw, rings: NDArray[np.uint32], mode: int) -> Float | 
     m: the steepest slope of the polygon's plane; r: the smallest difference that 24 bits of depth resolve.
     """
     polygon = draw.state.polygon
-    if not (polygon.offset_line if mode == GL_LINE else polygon.offset_point):
+    if not (polygon.offset_line if mode == gl.GL_LINE else polygon.offset_point):
         return None
     viewport = draw.state.viewport
     clip = clip_positions(draw, rings.ravel()).reshape(*rings.shape, 4)
@@ -222,7 +217,7 @@ def _part(
     """A Draw of some of the vertices.  provoking: whose colour and normal they take under flat shading."""
     block = draw.block
     vertices = block.take(chosen)
-    flat = state.lighting.shade_model == GL_FLAT and provoking is not None
+    flat = state.lighting.shade_model == gl.GL_FLAT and provoking is not None
     source = provoking if flat and provoking is not None else chosen
     if flat:
         vertices.rows[:, 3:] = block.rows[source, 3:]
@@ -238,10 +233,10 @@ def _part(
         material = Material(material.back, material.back)
         vertices.materials = [(k, Material(m.back, m.back)) for k, m in vertices.materials]
         face = state.lighting.color_material_face
-        if state.lighting.color_material and face == GL_FRONT:
+        if state.lighting.color_material and face == gl.GL_FRONT:
             state = state._replace(lighting=state.lighting._replace(color_material=False))
         elif state.lighting.color_material:
-            state = state._replace(lighting=state.lighting._replace(color_material_face=GL_FRONT_AND_BACK))
+            state = state._replace(lighting=state.lighting._replace(color_material_face=gl.GL_FRONT_AND_BACK))
     part = Draw(mode, 0, len(chosen), None, draw.matrices, material, state, vertices)
     part.color, part.call = draw.color, draw.call
     return part

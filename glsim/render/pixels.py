@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.constants import GL_ALWAYS, GL_FOG_COORDINATE, GL_QUADS, GL_REPLACE, GL_SMOOTH
+from glsim.machine import constants as gl
 from glsim.machine.frame import ROW, Draw, Pixels, Vertices
 from glsim.machine.matrix import identity
 from glsim.machine.pixels import depths, stencils, transferred
@@ -66,18 +66,18 @@ def plain_state(state: Snapshot, size: tuple[int, int], fragments: bool = True) 
     only scissor and masks do (and the stencil operation that ``state`` has)."""
     units = tuple(unit._replace(generated=(False,) * 4) for unit in state.texture.units)
     plain = state._replace(
-        lighting=Lighting(shade_model=GL_SMOOTH),
+        lighting=Lighting(shade_model=gl.GL_SMOOTH),
         transform=Transform(),
         viewport=Viewport(0, 0, *size),
         polygon=Polygon(),
         texture=state.texture._replace(units=units),
-        fog=state.fog._replace(coordinate_source=GL_FOG_COORDINATE, color_sum=_highlighted(state)),
+        fog=state.fog._replace(coordinate_source=gl.GL_FOG_COORDINATE, color_sum=_highlighted(state)),
     )
     if fragments:
         return plain
     off = tuple(unit._replace(enabled=(False,) * 4) for unit in units)
     buffers = ColorBuffer(mask=state.color_buffer.mask, draw_buffer=state.color_buffer.draw_buffer, dither=False)
-    stencil = state.stencil if state.stencil.depth_fail == GL_REPLACE else Stencil()
+    stencil = state.stencil if state.stencil.depth_fail == gl.GL_REPLACE else Stencil()
     return plain._replace(
         texture=state.texture._replace(units=off), fog=Fog(), color_buffer=buffers, depth=Depth(mask=False),
         stencil=stencil,
@@ -92,7 +92,9 @@ def _highlighted(state: Snapshot) -> bool:
 def _stencil_planes(state: Snapshot, values: NDArray[np.uint8]) -> Iterator[tuple[Snapshot, NDArray[np.uint8]]]:
     """First zeros everywhere, then each bit where it is 1; of the bits that glStencilMask lets through."""
     hidden = state.color_buffer._replace(mask=(False,) * 4)
-    replace = Stencil(True, GL_ALWAYS, 0, 255, state.stencil.write_mask & 255, GL_REPLACE, GL_REPLACE, GL_REPLACE)
+    replace = Stencil(
+        True, gl.GL_ALWAYS, 0, 255, state.stencil.write_mask & 255, gl.GL_REPLACE, gl.GL_REPLACE, gl.GL_REPLACE
+    )
     yield state._replace(color_buffer=hidden, stencil=replace), np.ones_like(values)
     for bit in (1 << k for k in range(8)):
         if replace.write_mask & bit and (values & bit).any():
@@ -152,7 +154,7 @@ def _rectangle(
     columns = {f"texcoord{unit}": np.array([raster.texcoords[unit]], np.float32) for unit in range(TEXTURE_UNITS)}
     columns["fog_coord"] = np.array([[raster.distance]], np.float32)
     columns["secondary_color"] = np.array([raster.secondary_color], np.float32)
-    return Draw(GL_QUADS, 0, 4, None, (identity(),) * 3, Material(), state, Vertices(rows, columns, []))
+    return Draw(gl.GL_QUADS, 0, 4, None, (identity(),) * 3, Material(), state, Vertices(rows, columns, []))
 
 
 # ---------------------------------------------------------------- many bitmaps: text

@@ -11,63 +11,8 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from glsim.files import data_folder
+from glsim.machine import constants as gl
 from glsim.machine.assembly import corners
-from glsim.machine.constants import (
-    GL_ADD,
-    GL_ADD_SIGNED,
-    GL_ALPHA,
-    GL_ALWAYS,
-    GL_AMBIENT,
-    GL_AMBIENT_AND_DIFFUSE,
-    GL_BACK,
-    GL_BLEND,
-    GL_CLAMP,
-    GL_COMBINE,
-    GL_CONSTANT,
-    GL_DECAL,
-    GL_DIFFUSE,
-    GL_DOT3_RGB,
-    GL_DOT3_RGBA,
-    GL_EMISSION,
-    GL_EQUAL,
-    GL_EXP,
-    GL_EXP2,
-    GL_EYE_LINEAR,
-    GL_FLAT,
-    GL_FLIP_NORMAL_GLSIM,
-    GL_FOG_COORDINATE,
-    GL_FRONT,
-    GL_GEQUAL,
-    GL_GREATER,
-    GL_INTENSITY,
-    GL_INTERPOLATE,
-    GL_LEQUAL,
-    GL_LESS,
-    GL_LINEAR,
-    GL_LUMINANCE,
-    GL_MODULATE,
-    GL_NEVER,
-    GL_NORMAL_MAP,
-    GL_NOTEQUAL,
-    GL_OBJECT_LINEAR,
-    GL_ONE_MINUS_SRC_ALPHA,
-    GL_ONE_MINUS_SRC_COLOR,
-    GL_PHONG_LOBE_GLSIM,
-    GL_PHONG_WIN,
-    GL_PREVIOUS,
-    GL_PRIMARY_COLOR,
-    GL_REFLECTION_MAP,
-    GL_REPLACE,
-    GL_RGB,
-    GL_SEPARATE_SPECULAR_COLOR,
-    GL_SPECULAR,
-    GL_SPHERE_MAP,
-    GL_SRC_ALPHA,
-    GL_SRC_COLOR,
-    GL_SUBTRACT,
-    GL_TEXTURE,
-    GL_TEXTURE0,
-)
 from glsim.machine.frame import Draw
 from glsim.machine.state import MAX_CLIP_PLANES, TEXTURE_UNITS, Combine, Light, Lighting, Snapshot, TextureUnit
 from glsim.machine.texture import CUBE
@@ -78,11 +23,11 @@ if TYPE_CHECKING:
 
 NOTHING_TRACKED = (False, False, False, False)
 TRACKED: dict[int, tuple[bool, ...]] = {  # glColorMaterial's mode -> ambient, diffuse, specular, emission
-    GL_AMBIENT: (True, False, False, False),
-    GL_DIFFUSE: (False, True, False, False),
-    GL_AMBIENT_AND_DIFFUSE: (True, True, False, False),
-    GL_SPECULAR: (False, False, True, False),
-    GL_EMISSION: (False, False, False, True),
+    gl.GL_AMBIENT: (True, False, False, False),
+    gl.GL_DIFFUSE: (False, True, False, False),
+    gl.GL_AMBIENT_AND_DIFFUSE: (True, True, False, False),
+    gl.GL_SPECULAR: (False, False, True, False),
+    gl.GL_EMISSION: (False, False, False, True),
 }
 
 
@@ -134,7 +79,7 @@ class ProgramKey(NamedTuple):
     color_sum: bool = False
     fog: int = 0
     fog_coordinate: bool = False
-    alpha_func: int = GL_ALWAYS
+    alpha_func: int = gl.GL_ALWAYS
     clip_plane: tuple[bool, ...] = (False,) * MAX_CLIP_PLANES
     polygon_stipple: bool = False
     line_stipple: bool = False
@@ -181,11 +126,11 @@ def program_key(state: Snapshot, corners: int = 3) -> ProgramKey:
     """
     color, fog = state.color_buffer, state.fog
     common = ProgramKey(
-        flat=state.lighting.shade_model == GL_FLAT,
+        flat=state.lighting.shade_model == gl.GL_FLAT,
         color_sum=fog.color_sum and not state.lighting.enabled,
         fog=fog.mode if fog.enabled else 0,
-        fog_coordinate=fog.enabled and fog.coordinate_source == GL_FOG_COORDINATE,
-        alpha_func=color.alpha_func if color.alpha_test else GL_ALWAYS,
+        fog_coordinate=fog.enabled and fog.coordinate_source == gl.GL_FOG_COORDINATE,
+        alpha_func=color.alpha_func if color.alpha_test else gl.GL_ALWAYS,
         clip_plane=state.transform.clip_enabled,
         polygon_stipple=corners == 3 and state.polygon.stipple,
         line_stipple=corners == 2 and state.line.stipple,
@@ -210,19 +155,19 @@ def unit_kind(number: int, unit: TextureUnit) -> UnitKind | None:
     if texture is None:
         return None
     base, sampler = texture.base_format, texture.sampler
-    combine = unit.combine._replace(scale_rgb=1.0, scale_alpha=1.0) if unit.environment == GL_COMBINE else None
+    combine = unit.combine._replace(scale_rgb=1.0, scale_alpha=1.0) if unit.environment == gl.GL_COMBINE else None
     modes = zip(unit.generators, unit.generated, strict=True)
     return UnitKind(
         number=number,
         kind=texture.kind,
-        has_color=base != GL_ALPHA,
-        has_alpha=base not in (GL_LUMINANCE, GL_RGB),
-        is_intensity=base == GL_INTENSITY,
+        has_color=base != gl.GL_ALPHA,
+        has_alpha=base not in (gl.GL_LUMINANCE, gl.GL_RGB),
+        is_intensity=base == gl.GL_INTENSITY,
         is_depth=texture.is_depth,
         compare=texture.is_depth and sampler.compare_mode != 0,
         environment=unit.environment,
         combine=combine,
-        clamp=tuple(wrap == GL_CLAMP for wrap in (sampler.wrap_s, sampler.wrap_t, sampler.wrap_r)),
+        clamp=tuple(wrap == gl.GL_CLAMP for wrap in (sampler.wrap_s, sampler.wrap_t, sampler.wrap_r)),
         generated=tuple(generator.mode if enabled else 0 for generator, enabled in modes),
     )
 
@@ -231,18 +176,18 @@ def _lit(key: ProgramKey, state: Snapshot) -> ProgramKey:
     """The key with what lighting adds."""
     lighting = state.lighting
     tracked = TRACKED[lighting.color_material_mode] if lighting.color_material else NOTHING_TRACKED
-    front = tracked if lighting.color_material_face != GL_BACK else NOTHING_TRACKED
-    back = tracked if lighting.color_material_face != GL_FRONT and lighting.two_side else NOTHING_TRACKED
+    front = tracked if lighting.color_material_face != gl.GL_BACK else NOTHING_TRACKED
+    back = tracked if lighting.color_material_face != gl.GL_FRONT and lighting.two_side else NOTHING_TRACKED
     kinds = light_kinds(lighting)
     return key._replace(
-        per_fragment=lighting.shade_model == GL_PHONG_WIN,
+        per_fragment=lighting.shade_model == gl.GL_PHONG_WIN,
         lighting=True,
         lights=kinds,
-        lobe_is_phong=bool(kinds) and lighting.lobe == GL_PHONG_LOBE_GLSIM,
-        flip_normal=bool(kinds) and lighting.back_lighting == GL_FLIP_NORMAL_GLSIM,
+        lobe_is_phong=bool(kinds) and lighting.lobe == gl.GL_PHONG_LOBE_GLSIM,
+        flip_normal=bool(kinds) and lighting.back_lighting == gl.GL_FLIP_NORMAL_GLSIM,
         local_viewer=bool(kinds) and lighting.local_viewer,
         two_side=lighting.two_side and key.areas,
-        separate_specular=bool(kinds) and lighting.color_control == GL_SEPARATE_SPECULAR_COLOR,
+        separate_specular=bool(kinds) and lighting.color_control == gl.GL_SEPARATE_SPECULAR_COLOR,
         front_tracks=front,
         back_tracks=back if key.areas else NOTHING_TRACKED,
     )
@@ -259,13 +204,16 @@ def light_kinds(lighting: Lighting) -> tuple[LightKind, ...]:
 
 
 ENUMS = {
-    "FOG_OFF": 0, "FOG_LINEAR": int(GL_LINEAR), "FOG_EXP": int(GL_EXP), "FOG_EXP2": int(GL_EXP2),
+    "FOG_OFF": 0, "FOG_LINEAR": int(gl.GL_LINEAR), "FOG_EXP": int(gl.GL_EXP), "FOG_EXP2": int(gl.GL_EXP2),
     **{repr(name): int(name) for name in (
-        GL_MODULATE, GL_DECAL, GL_BLEND, GL_REPLACE, GL_ADD, GL_COMBINE, GL_ALWAYS, GL_NEVER, GL_LESS, GL_EQUAL,
-        GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB,
-        GL_DOT3_RGBA, GL_TEXTURE, GL_TEXTURE0, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS, GL_SRC_COLOR,
-        GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_OBJECT_LINEAR, GL_EYE_LINEAR,
-        GL_SPHERE_MAP, GL_REFLECTION_MAP, GL_NORMAL_MAP,
+        gl.GL_MODULATE, gl.GL_DECAL, gl.GL_BLEND, gl.GL_REPLACE, gl.GL_ADD, gl.GL_COMBINE, gl.GL_ALWAYS, gl.GL_NEVER,
+        gl.GL_LESS, gl.GL_EQUAL,
+        gl.GL_LEQUAL, gl.GL_GREATER, gl.GL_NOTEQUAL, gl.GL_GEQUAL, gl.GL_ADD_SIGNED, gl.GL_INTERPOLATE,
+        gl.GL_SUBTRACT, gl.GL_DOT3_RGB,
+        gl.GL_DOT3_RGBA, gl.GL_TEXTURE, gl.GL_TEXTURE0, gl.GL_CONSTANT, gl.GL_PRIMARY_COLOR, gl.GL_PREVIOUS,
+        gl.GL_SRC_COLOR,
+        gl.GL_ONE_MINUS_SRC_COLOR, gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA, gl.GL_OBJECT_LINEAR, gl.GL_EYE_LINEAR,
+        gl.GL_SPHERE_MAP, gl.GL_REFLECTION_MAP, gl.GL_NORMAL_MAP,
     )},
 }  # fmt: skip
 

@@ -9,50 +9,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.constants import (
-    GL_CLAMP,
-    GL_CLAMP_TO_BORDER,
-    GL_DEPTH_COMPONENT,
-    GL_DEPTH_COMPONENT24,
-    GL_FLOAT,
-    GL_NEAREST,
-    GL_RED,
-    GL_RGBA,
-    GL_RGBA8,
-    GL_TEXTURE0,
-    GL_TEXTURE_2D,
-    GL_TEXTURE_3D,
-    GL_TEXTURE_BASE_LEVEL,
-    GL_TEXTURE_BORDER_COLOR,
-    GL_TEXTURE_COMPARE_FUNC,
-    GL_TEXTURE_COMPARE_MODE,
-    GL_TEXTURE_CUBE_MAP,
-    GL_TEXTURE_CUBE_MAP_POSITIVE_X,
-    GL_TEXTURE_LOD_BIAS,
-    GL_TEXTURE_MAG_FILTER,
-    GL_TEXTURE_MAX_LEVEL,
-    GL_TEXTURE_MAX_LOD,
-    GL_TEXTURE_MIN_FILTER,
-    GL_TEXTURE_MIN_LOD,
-    GL_TEXTURE_WRAP_R,
-    GL_TEXTURE_WRAP_S,
-    GL_TEXTURE_WRAP_T,
-    GL_UNPACK_ALIGNMENT,
-    GL_UNSIGNED_BYTE,
-)
+from glsim.machine import constants as gl
 from glsim.machine.state import TextureUnit
 from glsim.machine.texture import CUBE, Images, Texture, in_base_format
 from glsim.render.programs import RECTANGLE_UNIT
 from glsim.render.raw import RawGL
 
-TARGETS: dict[int, int] = {1: GL_TEXTURE_2D, 2: GL_TEXTURE_2D, 3: GL_TEXTURE_3D, CUBE: GL_TEXTURE_CUBE_MAP}
+TARGETS: dict[int, int] = {1: gl.GL_TEXTURE_2D, 2: gl.GL_TEXTURE_2D, 3: gl.GL_TEXTURE_3D, CUBE: gl.GL_TEXTURE_CUBE_MAP}
 # how a rectangle's elements lie on the GPU: (components, type) -> internal format, format, type
 GL_R8, GL_R32F, GL_RGBA32F = 0x8229, 0x822E, 0x8814
 RECTANGLES: dict[tuple[int, str], tuple[int, int, int]] = {
-    (4, "u"): (GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE),
-    (4, "f"): (GL_RGBA32F, GL_RGBA, GL_FLOAT),
-    (1, "u"): (GL_R8, GL_RED, GL_UNSIGNED_BYTE),
-    (1, "f"): (GL_R32F, GL_RED, GL_FLOAT),
+    (4, "u"): (gl.GL_RGBA8, gl.GL_RGBA, gl.GL_UNSIGNED_BYTE),
+    (4, "f"): (GL_RGBA32F, gl.GL_RGBA, gl.GL_FLOAT),
+    (1, "u"): (GL_R8, gl.GL_RED, gl.GL_UNSIGNED_BYTE),
+    (1, "f"): (GL_R32F, gl.GL_RED, gl.GL_FLOAT),
 }
 
 
@@ -79,7 +49,7 @@ class Textures:
         texture, raw = unit.active, self.raw
         assert texture is not None
         target = TARGETS[texture.kind]
-        raw.glActiveTexture(GL_TEXTURE0 + number)
+        raw.glActiveTexture(gl.GL_TEXTURE0 + number)
         kept = self.names.get(texture.images)
         if kept is None:
             self._delete_garbage()
@@ -93,18 +63,18 @@ class Textures:
     def rectangle(self, image: NDArray[Any]) -> None:
         """Make a rectangle of pixels the one that main.frag looks up."""
         raw = self.raw
-        raw.glActiveTexture(GL_TEXTURE0 + RECTANGLE_UNIT)
+        raw.glActiveTexture(gl.GL_TEXTURE0 + RECTANGLE_UNIT)
         if not self.rectangle_name:
             self.rectangle_name = self._new_name()
-            raw.glBindTexture(GL_TEXTURE_2D, self.rectangle_name)
-            for pname, value in ((GL_TEXTURE_MIN_FILTER, GL_NEAREST), (GL_TEXTURE_MAG_FILTER, GL_NEAREST)):
-                raw.glTexParameteri(GL_TEXTURE_2D, pname, value)
-        raw.glBindTexture(GL_TEXTURE_2D, self.rectangle_name)
-        raw.glPixelStorei(GL_UNPACK_ALIGNMENT, 1)
+            raw.glBindTexture(gl.GL_TEXTURE_2D, self.rectangle_name)
+            for pname, value in ((gl.GL_TEXTURE_MIN_FILTER, gl.GL_NEAREST), (gl.GL_TEXTURE_MAG_FILTER, gl.GL_NEAREST)):
+                raw.glTexParameteri(gl.GL_TEXTURE_2D, pname, value)
+        raw.glBindTexture(gl.GL_TEXTURE_2D, self.rectangle_name)
+        raw.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
         texels = np.ascontiguousarray(image if image.dtype == np.uint8 else image.astype(np.float32))
         height, width, components = texels.shape
         internal, format, kind = RECTANGLES[components, texels.dtype.kind]
-        raw.glTexImage2D(GL_TEXTURE_2D, 0, internal, width, height, 0, format, kind, texels.ctypes.data)
+        raw.glTexImage2D(gl.GL_TEXTURE_2D, 0, internal, width, height, 0, format, kind, texels.ctypes.data)
 
     def _new_name(self) -> int:
         name = ctypes.c_uint()
@@ -121,17 +91,17 @@ class Textures:
         raw = self.raw
         name = self._new_name()
         raw.glBindTexture(target, name)
-        raw.glPixelStorei(GL_UNPACK_ALIGNMENT, 1)
+        raw.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
         for (face, level), image in texture.images.by_level.items():
             if 0 in image.size:
                 continue
             texels = np.ascontiguousarray(image.texels)
             size = texels.shape[-2::-1]  # width, height and depth
-            if image.base_format == GL_DEPTH_COMPONENT:
-                form: tuple[int, ...] = (GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_FLOAT)
+            if image.base_format == gl.GL_DEPTH_COMPONENT:
+                form: tuple[int, ...] = (gl.GL_DEPTH_COMPONENT24, gl.GL_DEPTH_COMPONENT, gl.GL_FLOAT)
             else:
-                form = (GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE)
-            place = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face if texture.kind == CUBE else target
+                form = (gl.GL_RGBA8, gl.GL_RGBA, gl.GL_UNSIGNED_BYTE)
+            place = gl.GL_TEXTURE_CUBE_MAP_POSITIVE_X + face if texture.kind == CUBE else target
             upload = raw.glTexImage3D if texture.kind == 3 else raw.glTexImage2D
             upload(place, level, form[0], *size, 0, *form[1:], texels.ctypes.data)
         return name
@@ -140,27 +110,28 @@ class Textures:
         raw, sampler = self.raw, texture.sampler
         last = sampler.max_level if texture.mipmapped else sampler.base_level
         integers: list[tuple[int, int]] = [
-            (GL_TEXTURE_MIN_FILTER, sampler.min_filter),
-            (GL_TEXTURE_MAG_FILTER, sampler.mag_filter),
-            (GL_TEXTURE_BASE_LEVEL, sampler.base_level),
-            (GL_TEXTURE_MAX_LEVEL, max(last, sampler.base_level)),
-            (GL_TEXTURE_COMPARE_MODE, sampler.compare_mode if texture.is_depth else 0),
-            (GL_TEXTURE_COMPARE_FUNC, sampler.compare_func),
+            (gl.GL_TEXTURE_MIN_FILTER, sampler.min_filter),
+            (gl.GL_TEXTURE_MAG_FILTER, sampler.mag_filter),
+            (gl.GL_TEXTURE_BASE_LEVEL, sampler.base_level),
+            (gl.GL_TEXTURE_MAX_LEVEL, max(last, sampler.base_level)),
+            (gl.GL_TEXTURE_COMPARE_MODE, sampler.compare_mode if texture.is_depth else 0),
+            (gl.GL_TEXTURE_COMPARE_FUNC, sampler.compare_func),
         ]
         wraps = zip(
-            (GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R),
+            (gl.GL_TEXTURE_WRAP_S, gl.GL_TEXTURE_WRAP_T, gl.GL_TEXTURE_WRAP_R),
             (sampler.wrap_s, sampler.wrap_t, sampler.wrap_r),
             strict=True,
         )
-        integers += [(pname, GL_CLAMP_TO_BORDER if wrap == GL_CLAMP else wrap) for pname, wrap in wraps]
+        integers += [(pname, gl.GL_CLAMP_TO_BORDER if wrap == gl.GL_CLAMP else wrap) for pname, wrap in wraps]
         for pname, value in integers:
             raw.glTexParameteri(target, pname, value)
         bias = min(max(sampler.lod_bias + lod_bias, -15.0), 15.0)
         for pname, number in (
-            (GL_TEXTURE_MIN_LOD, sampler.min_lod), (GL_TEXTURE_MAX_LOD, sampler.max_lod), (GL_TEXTURE_LOD_BIAS, bias),
+            (gl.GL_TEXTURE_MIN_LOD, sampler.min_lod), (gl.GL_TEXTURE_MAX_LOD, sampler.max_lod),
+            (gl.GL_TEXTURE_LOD_BIAS, bias),
         ):  # fmt: skip
             raw.glTexParameterf(target, pname, number)
         assert texture.base is not None
         color = in_base_format(np.array(sampler.border_color), texture.base.base_format, 1.0)  # table 3.15
         border = (ctypes.c_float * 4)(*color)
-        raw.glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, border)
+        raw.glTexParameterfv(target, gl.GL_TEXTURE_BORDER_COLOR, border)

@@ -14,58 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim import shading
-from glsim.machine.constants import (
-    GL_ADD,
-    GL_ADD_SIGNED,
-    GL_ALWAYS,
-    GL_BACK,
-    GL_BLEND,
-    GL_COMBINE,
-    GL_CONSTANT,
-    GL_CONSTANT_ALPHA,
-    GL_CONSTANT_COLOR,
-    GL_DECAL,
-    GL_DOT3_RGB,
-    GL_DOT3_RGBA,
-    GL_DST_ALPHA,
-    GL_DST_COLOR,
-    GL_EQUAL,
-    GL_EXP,
-    GL_EXP2,
-    GL_FLAT,
-    GL_FRONT,
-    GL_FUNC_REVERSE_SUBTRACT,
-    GL_FUNC_SUBTRACT,
-    GL_GEQUAL,
-    GL_GREATER,
-    GL_INTERPOLATE,
-    GL_LEQUAL,
-    GL_LESS,
-    GL_LINEAR,
-    GL_MAX,
-    GL_MIN,
-    GL_MODULATE,
-    GL_NEVER,
-    GL_NOTEQUAL,
-    GL_ONE,
-    GL_ONE_MINUS_CONSTANT_ALPHA,
-    GL_ONE_MINUS_CONSTANT_COLOR,
-    GL_ONE_MINUS_DST_ALPHA,
-    GL_ONE_MINUS_DST_COLOR,
-    GL_ONE_MINUS_SRC_ALPHA,
-    GL_ONE_MINUS_SRC_COLOR,
-    GL_PHONG_WIN,
-    GL_PREVIOUS,
-    GL_PRIMARY_COLOR,
-    GL_REPLACE,
-    GL_SRC_ALPHA,
-    GL_SRC_ALPHA_SATURATE,
-    GL_SRC_COLOR,
-    GL_SUBTRACT,
-    GL_TEXTURE,
-    GL_TEXTURE0,
-    GL_ZERO,
-)
+from glsim.machine import constants as gl
 from glsim.machine.stage import Stage, illumination, shown, vertex_stage
 from glsim.machine.state import ColorBuffer, Combine, Fog, TextureUnit
 from glsim.render.inspect import Piece
@@ -126,18 +75,18 @@ def shade(piece: Piece, primitives: NDArray[np.int64], weights: Float, back: boo
     point = stage.point
     N, P = interpolated(stage.normal, corners, weights), interpolated(point, corners, weights)
     if not lighting.enabled:
-        where = "provoking" if lighting.shade_model == GL_FLAT else "none"
+        where = "provoking" if lighting.shade_model == gl.GL_FLAT else "none"
         place = Shaded(where, stage, corners, weights, None, N, P, np.empty(0), np.empty(0))
         return _with(place, place.spread(stage.front), place.spread(stage.highlight))
-    sign, side = (-1.0, GL_BACK) if back and lighting.two_side and piece.corners == 3 else (1.0, GL_FRONT)
-    if lighting.shade_model == GL_PHONG_WIN:
+    sign, side = (-1.0, gl.GL_BACK) if back and lighting.two_side and piece.corners == 3 else (1.0, gl.GL_FRONT)
+    if lighting.shade_model == gl.GL_PHONG_WIN:
         N = shading.normalize(N) * sign
         color = interpolated(stage.current, corners, weights)
         materials = draw.materials_at(numbers[:, -1])
         terms, alpha = illumination(lighting, side, materials, N, P, color)
         return Shaded("fragment", stage, corners, weights, terms, N, P, *shown(lighting, terms, alpha))
     terms, alpha = illumination(lighting, side, draw.materials_at(chosen), stage.normal * sign, point, stage.current)
-    where = "provoking" if lighting.shade_model == GL_FLAT else "vertex"
+    where = "provoking" if lighting.shade_model == gl.GL_FLAT else "vertex"
     place = Shaded(where, stage, corners, weights, terms, N * sign, P, np.empty(0), np.empty(0))
     color, highlight = shown(lighting, terms, alpha)
     return _with(place, place.spread(color), place.spread(highlight))
@@ -175,56 +124,57 @@ def textured(units: tuple[TextureUnit, ...], primary: Float, texels: Float) -> l
 def _environment(kind: UnitKind, unit: TextureUnit, C: Float, primary: Float, texels: Float) -> Float:
     """OpenGL 1.5, tables 3.22 and 3.23."""
     T, C_c = texels[kind.number], np.array(unit.environment_color)
-    if kind.environment == GL_COMBINE:
+    if kind.environment == gl.GL_COMBINE:
         return _combine(kind.number, unit, C, primary, texels)
     rgb, a = C[:3], C[3]
-    if kind.environment == GL_DECAL:
+    if kind.environment == gl.GL_DECAL:
         if kind.has_color:
             rgb = C[:3] * (1 - T[3]) + T[:3] * T[3] if kind.has_alpha else T[:3]
         return np.append(rgb, a)
     if kind.has_color:
         rgb = {
-            GL_REPLACE: T[:3], GL_MODULATE: rgb * T[:3], GL_BLEND: rgb * (1 - T[:3]) + C_c[:3] * T[:3],
-            GL_ADD: rgb + T[:3],
+            gl.GL_REPLACE: T[:3], gl.GL_MODULATE: rgb * T[:3], gl.GL_BLEND: rgb * (1 - T[:3]) + C_c[:3] * T[:3],
+            gl.GL_ADD: rgb + T[:3],
         }[kind.environment]  # type: ignore[index]  # fmt: skip
     if kind.has_alpha:
         mixed = a * (1 - T[3]) + C_c[3] * T[3] if kind.is_intensity else a * T[3]
         added = a + T[3] if kind.is_intensity else a * T[3]
-        a = {GL_REPLACE: T[3], GL_MODULATE: a * T[3], GL_BLEND: mixed, GL_ADD: added}[kind.environment]  # type: ignore[index]
+        a = {gl.GL_REPLACE: T[3], gl.GL_MODULATE: a * T[3], gl.GL_BLEND: mixed, gl.GL_ADD: added}[kind.environment]  # type: ignore[index]
     return np.append(rgb, a)
 
 
 def _combine(number: int, unit: TextureUnit, C: Float, primary: Float, texels: Float) -> Float:
     """GL_COMBINE: OpenGL 1.5, tables 3.24 and 3.25."""
     combine: Combine = unit.combine
-    fixed = {GL_TEXTURE: texels[number], GL_CONSTANT: np.array(unit.environment_color), GL_PRIMARY_COLOR: primary,
-             GL_PREVIOUS: C}  # fmt: skip
+    fixed = {gl.GL_TEXTURE: texels[number], gl.GL_CONSTANT: np.array(unit.environment_color),
+    gl.GL_PRIMARY_COLOR: primary,
+             gl.GL_PREVIOUS: C}  # fmt: skip
 
     def source(which: int) -> Float:
-        return np.asarray(fixed[which] if which in fixed else texels[which - GL_TEXTURE0])  # type: ignore[index]
+        return np.asarray(fixed[which] if which in fixed else texels[which - gl.GL_TEXTURE0])  # type: ignore[index]
 
     def rgb(k: int) -> Float:
         value, operand = source(combine.source_rgb[k]), combine.operand_rgb[k]
-        part = value[:3] if operand in (GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR) else np.repeat(value[3], 3)
-        return part if operand in (GL_SRC_COLOR, GL_SRC_ALPHA) else 1.0 - part
+        part = value[:3] if operand in (gl.GL_SRC_COLOR, gl.GL_ONE_MINUS_SRC_COLOR) else np.repeat(value[3], 3)
+        return part if operand in (gl.GL_SRC_COLOR, gl.GL_SRC_ALPHA) else 1.0 - part
 
     def alpha(k: int) -> Float:
         value = source(combine.source_alpha[k])[3:]
-        return value if combine.operand_alpha[k] == GL_SRC_ALPHA else 1.0 - value
+        return value if combine.operand_alpha[k] == gl.GL_SRC_ALPHA else 1.0 - value
 
     color = _combined(combine.rgb, [rgb(k) for k in range(3)])
-    if combine.rgb == GL_DOT3_RGBA:
+    if combine.rgb == gl.GL_DOT3_RGBA:
         return np.append(color, color[0]) * combine.scale_rgb
     a = _combined(combine.alpha, [alpha(k) for k in range(3)])
     return np.append(color * combine.scale_rgb, a[0] * combine.scale_alpha)
 
 
 def _combined(how: int, a: list[Float]) -> Float:
-    if how in (GL_DOT3_RGB, GL_DOT3_RGBA):
+    if how in (gl.GL_DOT3_RGB, gl.GL_DOT3_RGBA):
         return np.full(3, 4.0 * float((a[0] - 0.5) @ (a[1] - 0.5)))
     values: dict[int, Float] = {
-        GL_REPLACE: a[0], GL_MODULATE: a[0] * a[1], GL_ADD: a[0] + a[1], GL_ADD_SIGNED: a[0] + a[1] - 0.5,
-        GL_INTERPOLATE: a[0] * a[2] + a[1] * (1.0 - a[2]), GL_SUBTRACT: a[0] - a[1],
+        gl.GL_REPLACE: a[0], gl.GL_MODULATE: a[0] * a[1], gl.GL_ADD: a[0] + a[1], gl.GL_ADD_SIGNED: a[0] + a[1] - 0.5,
+        gl.GL_INTERPOLATE: a[0] * a[2] + a[1] * (1.0 - a[2]), gl.GL_SUBTRACT: a[0] - a[1],
     }  # fmt: skip
     return values[how]
 
@@ -236,18 +186,23 @@ def fog_factor(fog: Fog, z: float) -> float:
     """How much of the fragment's colour is left at distance z, in [0, 1] (equations 3.24 to 3.26)."""
     with np.errstate(all="ignore"):
         z, d, start, end = np.float64(z), np.float64(fog.density), np.float64(fog.start), np.float64(fog.end)
-        factors = {GL_LINEAR: (end - z) / (end - start), GL_EXP: np.exp(-d * z), GL_EXP2: np.exp(-d * d * z * z)}
+        factors = {
+            gl.GL_LINEAR: (end - z) / (end - start),
+            gl.GL_EXP: np.exp(-d * z),
+            gl.GL_EXP2: np.exp(-d * d * z * z),
+        }
     return float(np.clip(factors[fog.mode], 0.0, 1.0))  # type: ignore[index]
 
 
 COMPARISONS: dict[int, Callable[[int, int], bool]] = {
-    GL_NEVER: lambda a, b: False, GL_LESS: lambda a, b: a < b, GL_EQUAL: lambda a, b: a == b,
-    GL_LEQUAL: lambda a, b: a <= b, GL_GREATER: lambda a, b: a > b, GL_NOTEQUAL: lambda a, b: a != b,
-    GL_GEQUAL: lambda a, b: a >= b, GL_ALWAYS: lambda a, b: True,
+    gl.GL_NEVER: lambda a, b: False, gl.GL_LESS: lambda a, b: a < b, gl.GL_EQUAL: lambda a, b: a == b,
+    gl.GL_LEQUAL: lambda a, b: a <= b, gl.GL_GREATER: lambda a, b: a > b, gl.GL_NOTEQUAL: lambda a, b: a != b,
+    gl.GL_GEQUAL: lambda a, b: a >= b, gl.GL_ALWAYS: lambda a, b: True,
 }  # fmt: skip
 WORDS: dict[int, str] = {
-    GL_NEVER: "never", GL_LESS: "<", GL_EQUAL: "=", GL_LEQUAL: "<=", GL_GREATER: ">", GL_NOTEQUAL: "!=",
-    GL_GEQUAL: ">=", GL_ALWAYS: "always",
+    gl.GL_NEVER: "never", gl.GL_LESS: "<", gl.GL_EQUAL: "=", gl.GL_LEQUAL: "<=", gl.GL_GREATER: ">",
+    gl.GL_NOTEQUAL: "!=",
+    gl.GL_GEQUAL: ">=", gl.GL_ALWAYS: "always",
 }  # fmt: skip
 
 
@@ -256,12 +211,12 @@ def blend_factor(factor: int, source: Float, destination: Float, constant: Float
     alpha = np.ones(4)
     saturated = np.append(np.repeat(min(source[3], 1.0 - destination[3]), 3), 1.0)
     factors: dict[int, Float] = {
-        GL_ZERO: 0 * alpha, GL_ONE: alpha, GL_SRC_COLOR: source, GL_ONE_MINUS_SRC_COLOR: 1 - source,
-        GL_DST_COLOR: destination, GL_ONE_MINUS_DST_COLOR: 1 - destination, GL_SRC_ALPHA: source[3] * alpha,
-        GL_ONE_MINUS_SRC_ALPHA: (1 - source[3]) * alpha, GL_DST_ALPHA: destination[3] * alpha,
-        GL_ONE_MINUS_DST_ALPHA: (1 - destination[3]) * alpha, GL_CONSTANT_COLOR: constant,
-        GL_ONE_MINUS_CONSTANT_COLOR: 1 - constant, GL_CONSTANT_ALPHA: constant[3] * alpha,
-        GL_ONE_MINUS_CONSTANT_ALPHA: (1 - constant[3]) * alpha, GL_SRC_ALPHA_SATURATE: saturated,
+        gl.GL_ZERO: 0 * alpha, gl.GL_ONE: alpha, gl.GL_SRC_COLOR: source, gl.GL_ONE_MINUS_SRC_COLOR: 1 - source,
+        gl.GL_DST_COLOR: destination, gl.GL_ONE_MINUS_DST_COLOR: 1 - destination, gl.GL_SRC_ALPHA: source[3] * alpha,
+        gl.GL_ONE_MINUS_SRC_ALPHA: (1 - source[3]) * alpha, gl.GL_DST_ALPHA: destination[3] * alpha,
+        gl.GL_ONE_MINUS_DST_ALPHA: (1 - destination[3]) * alpha, gl.GL_CONSTANT_COLOR: constant,
+        gl.GL_ONE_MINUS_CONSTANT_COLOR: 1 - constant, gl.GL_CONSTANT_ALPHA: constant[3] * alpha,
+        gl.GL_ONE_MINUS_CONSTANT_ALPHA: (1 - constant[3]) * alpha, gl.GL_SRC_ALPHA_SATURATE: saturated,
     }  # fmt: skip
     return factors[factor]
 
@@ -272,11 +227,11 @@ def blended(color: ColorBuffer, source: Float, destination: Float) -> Float:
     f = [blend_factor(factor, source, destination, constant) for factor in color.blend_function]
     s = np.append(f[0][:3], f[2][3]) * source
     d = np.append(f[1][:3], f[3][3]) * destination
-    if color.blend_equation in (GL_MIN, GL_MAX):
-        return (np.minimum if color.blend_equation == GL_MIN else np.maximum)(source, destination)
-    if color.blend_equation == GL_FUNC_SUBTRACT:
+    if color.blend_equation in (gl.GL_MIN, gl.GL_MAX):
+        return (np.minimum if color.blend_equation == gl.GL_MIN else np.maximum)(source, destination)
+    if color.blend_equation == gl.GL_FUNC_SUBTRACT:
         return np.asarray(s - d)
-    return np.asarray(d - s if color.blend_equation == GL_FUNC_REVERSE_SUBTRACT else s + d)
+    return np.asarray(d - s if color.blend_equation == gl.GL_FUNC_REVERSE_SUBTRACT else s + d)
 
 
 def logic_op(op: int, s: NDArray[np.int64], d: NDArray[np.int64]) -> NDArray[np.int64]:

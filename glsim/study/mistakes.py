@@ -11,18 +11,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.machine import constants as gl
 from glsim.machine.assembly import corners
 from glsim.machine.commands import COMMANDS, FAMILIES
-from glsim.machine.constants import (
-    GL_ALWAYS,
-    GL_COLOR_BUFFER_BIT,
-    GL_COLOR_MATERIAL,
-    GL_DEPTH_BUFFER_BIT,
-    GL_FRONT,
-    GL_LIGHT0,
-    GL_POSITION,
-    GL_SMOOTH,
-)
 from glsim.machine.frame import Call, Draw, Frame, Moment, Where
 from glsim.machine.record import implementations
 from glsim.machine.stage import illumination, vertex_stage, window
@@ -126,7 +117,7 @@ class Detector:
     def call(self, number: int, call: Call, before: Moment, after: Moment) -> Iterator[Mistake]:
         name, arguments = call.name, call.arguments
         yield from self._surplus(number, call)
-        if name in ("glEnable", "glDisable") and arguments[0] == GL_COLOR_MATERIAL:
+        if name in ("glEnable", "glDisable") and arguments[0] == gl.GL_COLOR_MATERIAL:
             self.color_material_on = number if name == "glEnable" and not self.color_material_said else None
         elif name == "glColorMaterial":
             yield from self._color_material(number, before, after)
@@ -137,8 +128,8 @@ class Detector:
             self.flat_view = not np.asarray(arguments[0]).reshape(4, 4)[:3, :3].any(axis=0).all()
             if self.flat_view:
                 yield self._mistake("up-along-view", number, camera=_via(call))
-        elif name.startswith("glLight") and arguments[1:2] == (GL_POSITION,) and np.size(arguments[2]) == 3:
-            yield self._mistake("position-of-three", number, light=int(arguments[0]) - GL_LIGHT0)
+        elif name.startswith("glLight") and arguments[1:2] == (gl.GL_POSITION,) and np.size(arguments[2]) == 3:
+            yield self._mistake("position-of-three", number, light=int(arguments[0]) - gl.GL_LIGHT0)
         elif name == "glFrustum" or _via(call).startswith("gluPerspective"):
             near = _near(call)
             if near is not None and near <= 0.0:
@@ -148,9 +139,9 @@ class Detector:
         elif name == "glPopMatrix" and self.pushes.get(before.state.transform.matrix_mode) and after is not before:
             self.pushes[before.state.transform.matrix_mode].pop()
         elif name == "glClear":
-            if int(arguments[0]) & GL_COLOR_BUFFER_BIT:
+            if int(arguments[0]) & gl.GL_COLOR_BUFFER_BIT:
                 self.clear = number
-            if int(arguments[0]) & GL_DEPTH_BUFFER_BIT:
+            if int(arguments[0]) & gl.GL_DEPTH_BUFFER_BIT:
                 self.depth_clear = number
 
     def _surplus(self, number: int, call: Call) -> Iterator[Mistake]:
@@ -183,7 +174,7 @@ class Detector:
                 test, flag = f"GL_{kind.upper()}_TEST", f"GLUT_{kind.upper()}"
                 setter = provenance.setters.get((kind, "test"), call)
                 yield self._mistake("missing-buffer", setter, test=test, buffer=kind, flag=flag)
-        if state.depth.test and state.depth.func != GL_ALWAYS and self.clear is not None and not self._together():
+        if state.depth.test and state.depth.func != gl.GL_ALWAYS and self.clear is not None and not self._together():
             self.stale = self.clear
         chosen = assembled(draw)
         if not state.lighting.enabled or not len(chosen):
@@ -310,7 +301,7 @@ def _lost_highlight(draw: Draw, chosen: NDArray[np.uint32]) -> Found:
     than 100 pixels."""
     lighting, face = draw.state.lighting, draw.material.front
     shiny = max(face.specular[:3]) > 0.0 and face.shininess >= 2.0
-    if lighting.shade_model != GL_SMOOTH or corners(draw.mode) != 3 or not shiny:
+    if lighting.shade_model != gl.GL_SMOOTH or corners(draw.mode) != 3 or not shiny:
         return
     triangles = chosen.reshape(-1, 3)
     numbers, places = np.unique(triangles[:: max(1, len(triangles) // MOST)], return_inverse=True)
@@ -322,7 +313,7 @@ def _lost_highlight(draw: Draw, chosen: NDArray[np.uint32]) -> Found:
     point = stage.eye[:, :3] / stage.eye[:, 3:]
 
     def highlight(N: Float, P: Float) -> Float:
-        terms, _ = illumination(lighting, GL_FRONT, [draw.material] * len(P), N, P, np.ones((len(P), 4)))
+        terms, _ = illumination(lighting, gl.GL_FRONT, [draw.material] * len(P), N, P, np.ones((len(P), 4)))
         return np.asarray(np.clip(terms.highlight, 0.0, 1.0).max(axis=1))
 
     vertices = highlight(stage.normal, point)

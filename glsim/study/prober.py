@@ -13,14 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.constants import (
-    GL_COLOR_BUFFER_BIT,
-    GL_NONE,
-    GL_PHONG_LOBE_GLSIM,
-    GL_QUAD_STRIP,
-    GL_QUADS,
-    GL_RETURN,
-)
+from glsim.machine import constants as gl
 from glsim.machine.frame import Accum, Clear, Draw, Frame, Packet, Pixels, QueryMark, Where
 from glsim.machine.state import Scissor
 from glsim.render.context import Offscreen, offscreen
@@ -156,7 +149,7 @@ def _name(packet: Packet) -> str:
 
 def _mode(packet: Packet, piece: Piece, primitive: int) -> str:
     assert isinstance(packet, Draw)
-    if piece.corners == 3 and packet.mode in (GL_QUADS, GL_QUAD_STRIP) and piece.source is not None:
+    if piece.corners == 3 and packet.mode in (gl.GL_QUADS, gl.GL_QUAD_STRIP) and piece.source is not None:
         return f"{packet.mode!r}, quad {primitive // 2}"
     return repr(packet.mode)
 
@@ -183,7 +176,7 @@ def _covers(packet: Clear | Accum, x: int, y: int) -> bool:
     """Whether a glClear, or glAccum(GL_RETURN), leaves nothing of the pixel's colour."""
     test, mask = packet.state.scissor, packet.state.color_buffer.mask
     inside = not test.test or (test.x <= x < test.x + test.width and test.y <= y < test.y + test.height)
-    colors = packet.mask & GL_COLOR_BUFFER_BIT if isinstance(packet, Clear) else packet.operation == GL_RETURN
+    colors = packet.mask & gl.GL_COLOR_BUFFER_BIT if isinstance(packet, Clear) else packet.operation == gl.GL_RETURN
     return bool(colors) and inside and all(mask[:3])
 
 
@@ -254,7 +247,7 @@ def _evaluations(one: Piece, sample: Sample, lit: Shaded) -> tuple[Evaluation, .
         current = lit.stage.current
     face, _ = surface(lighting, GL_BACK if back else GL_FRONT, materials, current)
     enabled = [number for number, on in enumerate(lighting.light_enabled) if on]
-    vector = "R" if lighting.lobe == GL_PHONG_LOBE_GLSIM else "H"
+    vector = "R" if lighting.lobe == gl.GL_PHONG_LOBE_GLSIM else "H"
     total = lit.terms.sum
     reflectances = [[_floats(entry) for entry in np.asarray(part)] for part in (face.k_a, face.k_d, face.k_s)]
     return tuple(
@@ -319,7 +312,7 @@ def _afterwards(
     killed = _tests(one, sample, color, depth, stencil, steps)
     if killed:
         return steps, killed, before
-    if not any(state.color_buffer.mask) or state.color_buffer.draw_buffer == GL_NONE:
+    if not any(state.color_buffer.mask) or state.color_buffer.draw_buffer == gl.GL_NONE:
         return steps, "colour mask", before
     return steps, "", _written(one, color, before, steps)
 
@@ -363,7 +356,7 @@ def _written(one: Piece, color: NDArray[np.float64], before: Bytes, steps: list[
             names = f"{buffers.blend_equation!r} with {buffers.blend_function[0]!r}, {buffers.blend_function[1]!r}"
             steps.append(Step("blending", f"{names} over {before}", _floats(color)))
         result = to_8_bits(color)
-    mask = np.array(buffers.mask) & (buffers.draw_buffer != GL_NONE)
+    mask = np.array(buffers.mask) & (buffers.draw_buffer != gl.GL_NONE)
     if not mask.all():
         kept = "".join(name for name, writes in zip("RGBA", mask, strict=True) if not writes)
         steps.append(Step("colour mask", f"{kept} kept", _floats(np.where(mask, result, old) / 255.0)))

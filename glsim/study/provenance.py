@@ -17,19 +17,9 @@ from numpy.typing import NDArray
 
 from glsim.gl.lists import numbers_called
 from glsim.machine import constants
+from glsim.machine import constants as gl
 from glsim.machine.commands import COMMANDS
-from glsim.machine.constants import (
-    GL_ACCUM_BUFFER_BIT,
-    GL_COLOR_BUFFER_BIT,
-    GL_COMPILE,
-    GL_CURRENT_BIT,
-    GL_DEPTH_BUFFER_BIT,
-    GL_MODELVIEW,
-    GL_PROJECTION,
-    GL_STENCIL_BUFFER_BIT,
-    GL_TEXTURE,
-    Enum,
-)
+from glsim.machine.constants import Enum
 from glsim.machine.current import current_machine, make_current
 from glsim.machine.errors import GLError
 from glsim.machine.frame import Call, Frame, Moment, Trail
@@ -142,7 +132,7 @@ class _Scratch:
         stacks = (m.modelview, m.projection, *m.texture_stacks)
         for stack, matrix, depth in zip(stacks, before.matrices, before.depths, strict=True):
             stack[:] = [leaf(matrix.get())] * depth
-        m.stacks[GL_TEXTURE] = m.texture_stacks[m.texture.active_unit]
+        m.stacks[gl.GL_TEXTURE] = m.texture_stacks[m.texture.active_unit]
         m.stack = m.stacks[m.transform.matrix_mode]
         return m
 
@@ -224,7 +214,7 @@ class History:
             if call.name == "glNewList":
                 compiling, executing = (
                     self.lists.setdefault(int(call.arguments[0]), []),
-                    call.arguments[1] != GL_COMPILE,
+                    call.arguments[1] != gl.GL_COMPILE,
                 )
                 compiling.clear()
             elif call.name == "glEndList":
@@ -301,7 +291,7 @@ class History:
         old: dict[Path, int] | None = None
         if call.name == "glPopAttrib" and self.saved:
             old, registers, mask = self.saved.pop()
-            if mask & GL_CURRENT_BIT:
+            if mask & gl.GL_CURRENT_BIT:
                 found.registers = registers
         for path in paths:
             found.through.pop(path, None)
@@ -317,7 +307,7 @@ class History:
 
     def _matrices(self, number: int, call: Call, before: Moment, after: Moment) -> None:
         mode, unit = before.state.transform.matrix_mode, before.state.texture.active_unit
-        name = {GL_MODELVIEW: "modelview", GL_PROJECTION: "projection", GL_TEXTURE: f"texture{unit}"}[mode]  # type: ignore[index]
+        name = {gl.GL_MODELVIEW: "modelview", gl.GL_PROJECTION: "projection", gl.GL_TEXTURE: f"texture{unit}"}[mode]  # type: ignore[index]
         stack = self.found.chains[name]
         family = COMMANDS[call.name].family
         if family == "glPushMatrix" and after is not before:
@@ -342,7 +332,7 @@ def _run(machine: Machine, call: Call) -> None:
         make_current(current if isinstance(current, Machine) else None)
 
 
-BUFFER_BITS = (GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT, GL_STENCIL_BUFFER_BIT, GL_ACCUM_BUFFER_BIT)
+BUFFER_BITS = (gl.GL_COLOR_BUFFER_BIT, gl.GL_DEPTH_BUFFER_BIT, gl.GL_STENCIL_BUFFER_BIT, gl.GL_ACCUM_BUFFER_BIT)
 NAMES = ("modelview", "projection", "texture0", "texture1", "texture2", "texture3")
 INITIAL = Snapshot._make(getattr(Machine(_NoDevice()), name) for name in Snapshot._fields)  # type: ignore[arg-type]
 
