@@ -13,8 +13,8 @@ from glsim.gl import *
 from glsim.glu import gluLookAt
 from glsim.play.capture import capture
 from glsim.render import programs
+from glsim.render.specialise import specialised
 from glsim.study.explain import Explanation, Setting
-from glsim.study.glsl import specialised
 from tests.oracle import PROGRAMS
 
 

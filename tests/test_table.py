@@ -7,7 +7,7 @@ import inspect
 import pytest
 
 from glsim import gl
-from glsim.machine import generate, manual
+from glsim.gl import generate, manual
 from glsim.machine.commands import COMMANDS, FAMILIES
 
 

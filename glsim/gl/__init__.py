@@ -42,12 +42,12 @@ from glsim.gl import (
     vertex,
 )
 from glsim.gl.dispatch import SUFFIX_FREE, suffix_free, typed_arrays, variant
+from glsim.gl.manual import doc
 from glsim.machine import constants
 from glsim.machine import errors as error  # PyOpenGL's name: error.GLError
 from glsim.machine.commands import COMMANDS
 from glsim.machine.errors import GLError as GLError
 from glsim.machine.errors import NoContextError as NoContextError
-from glsim.machine.manual import doc
 from glsim.machine.record import implementations
 from glsim.names import missing
 

@@ -1,4 +1,4 @@
-"""Signatures and manual of the gl commands.  Written by ``python -m glsim.machine.generate``; do not edit."""
+"""Signatures and manual of the gl commands.  Written by ``python -m glsim.gl.generate``; do not edit."""
 
 import ctypes
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""The commands that are called once a vertex.  Written by ``python -m glsim.machine.generate``; do not edit.
+"""The commands that are called once a vertex.  Written by ``python -m glsim.gl.generate``; do not edit.
 
 A vertex is a row of ten numbers: its position beside the current normal and colour.
 """

@@ -1,4 +1,4 @@
-"""What glut gives.  Written by ``python -m glsim.machine.generate``; do not edit."""
+"""What glut gives.  Written by ``python -m glsim.gl.generate``; do not edit."""
 
 from collections.abc import Callable
 from typing import Any

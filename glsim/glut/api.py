@@ -254,7 +254,7 @@ def glutMainLoop() -> None:
     if not loop.windows:
         raise RuntimeError("glutMainLoop: there is no window: call glutCreateWindow first")
     if loop.on_step is None:  # not under glsim run
-        from glsim.glut.screen import open_windows
+        from glsim.glut.display import open_windows
 
         loop.on_step = open_windows(loop).after_step
     loop.run()

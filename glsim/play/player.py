@@ -20,8 +20,8 @@ from typing import Any
 
 import glsim
 from glsim.files import write_atomically
+from glsim.glut.display import Display, open_windows
 from glsim.glut.loop import FinishedError, Loop, StepClock, loop
-from glsim.glut.screen import Screen, open_windows
 from glsim.glut.window import Window, flushed, picture_of
 from glsim.machine import archive
 from glsim.machine.frame import Frame
@@ -44,7 +44,7 @@ class Player:
 
     def __init__(self, plan: Plan) -> None:
         self.plan, self.record = plan, Record()
-        self.screen: Screen | None = None
+        self.display: Display | None = None
         self.saved = time.monotonic()
         self.frame: Frame | None = None  # what the first window draws, with plan.capture
         self.screens = 0  # that the program opened with glsim.offscreen
@@ -55,7 +55,7 @@ class Player:
     def play(self) -> Record:
         """Run the program to its end or to the last step."""
         plan = self.plan
-        self.screen = open_windows(loop) if plan.window else None
+        self.display = open_windows(loop) if plan.window else None
         loop.events, loop.fixed_size = plan.events, plan.size
         loop.steps = None if plan.window and plan.frames == 1 else plan.frames
         loop.on_swap = self._swapped
@@ -192,8 +192,8 @@ class Player:
         self.saved = time.monotonic()
         if self.frame is not None and played.step == max(played.steps or 1, 1 + len(played.events)):
             self._keep_frame(self.frame)
-        if self.screen is not None:
-            self.screen.after_step(played)
+        if self.display is not None:
+            self.display.after_step(played)
         self.record.frames = played.step
         self.record.notes += played.notes
         played.notes = []

@@ -15,7 +15,7 @@ from glsim.play.frames import frame_of
 from glsim.render.batch import MOST_OBJECTS, plans
 from glsim.render.outline import prepare
 from glsim.render.programs import ProgramKey, draw_key, sources
-from glsim.study.glsl import specialised
+from glsim.render.specialise import specialised
 from glsim.study.provenance import BEFORE, History, Path, Provenance, call_text, enum_name, value_at
 
 LIGHTING = ("lighting",)

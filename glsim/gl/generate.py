@@ -1,4 +1,4 @@
-"""Write what follows from the command table, into glsim/gl, glu and glut: ``python -m glsim.machine.generate``.
+"""Write what follows from the command table, into glsim/gl, glu and glut: ``python -m glsim.gl.generate``.
 
 glVertex, glNormal, glColor and glTexCoord are called once a vertex, so their code is written out: each variant
 does nothing but store.  A test checks that the files are what this program writes.
@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from glsim.gl.stubs import PYTHON_TYPE, gl_stubs, library_stubs
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.frame import ROW_BYTES
-from glsim.machine.stubs import PYTHON_TYPE, gl_stubs, library_stubs
 
 GL = Path(__file__).parent.parent / "gl"
 HOT = ("glVertex", "glNormal", "glColor", "glTexCoord")
@@ -26,7 +26,7 @@ SCALED = {
 }
 
 IMMEDIATE = '''\
-"""The commands that are called once a vertex.  Written by ``python -m glsim.machine.generate``; do not edit.
+"""The commands that are called once a vertex.  Written by ``python -m glsim.gl.generate``; do not edit.
 
 A vertex is a row of ten numbers: its position beside the current normal and colour.
 """
@@ -168,7 +168,7 @@ def support() -> str:
     lines = [
         "# Commands of OpenGL 1.5",
         "",
-        "Written by `python -m glsim.machine.generate` from the command table; do not edit.",
+        "Written by `python -m glsim.gl.generate` from the command table; do not edit.",
         "",
         "| command | variants | state |",
         "| --- | --- | --- |",

@@ -13,7 +13,7 @@ from glsim.machine.commands import COMMANDS
 PYTHON_TYPE = {"f": "float", "d": "float", "data": "Numbers", "any": "Any"}  # others: int
 
 GL = '''\
-"""Signatures and manual of the gl commands.  Written by ``python -m glsim.machine.generate``; do not edit."""
+"""Signatures and manual of the gl commands.  Written by ``python -m glsim.gl.generate``; do not edit."""
 
 import ctypes
 from collections.abc import Sequence
@@ -38,7 +38,7 @@ def gl_stubs() -> str:
 def library_stubs(library: str) -> str:
     """glsim/glu/__init__.pyi or glsim/glut/__init__.pyi: functions and classes from the files that define them."""
     values = _public(f"glsim.{library}")
-    about = f'"""What {library} gives.  Written by ``python -m glsim.machine.generate``; do not edit."""'
+    about = f'"""What {library} gives.  Written by ``python -m glsim.gl.generate``; do not edit."""'
     imports = ["from collections.abc import Callable", "from typing import Any"]
     made = {name: value for name, value in values.items() if inspect.isfunction(value) and not _is_written(value)}
     for name, value in values.items():

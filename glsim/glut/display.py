@@ -57,7 +57,7 @@ class _Loader:
         pass
 
 
-class Screen:
+class Display:
     """All real windows; the clock of a loop that shows them."""
 
     def __init__(self, loop: Loop) -> None:
@@ -101,9 +101,9 @@ class Screen:
 class Shown:
     """One real window."""
 
-    def __init__(self, screen: Screen, window: Window) -> None:
-        glfw = self.glfw = screen.glfw
-        self.screen, self.window, self.loop = screen, window, screen.loop
+    def __init__(self, display: Display, window: Window) -> None:
+        glfw = self.glfw = display.glfw
+        self.display, self.window, self.loop = display, window, display.loop
         hints = {
             glfw.CONTEXT_VERSION_MAJOR: 3, glfw.CONTEXT_VERSION_MINOR: 3, glfw.OPENGL_FORWARD_COMPAT: True,
             glfw.OPENGL_PROFILE: glfw.OPENGL_CORE_PROFILE,
@@ -235,9 +235,9 @@ class Shown:
             self._fire("Mouse", WHEEL_UP if dy > 0 else WHEEL_DOWN, int(NAMES[state]), *self._at())
 
 
-def open_windows(loop: Loop) -> Screen:
+def open_windows(loop: Loop) -> Display:
     """Show the windows of ``loop`` on the screen.  Raises RuntimeError if there is no glfw or no display."""
-    screen = Screen(loop)
-    loop.clock = screen
+    display = Display(loop)
+    loop.clock = display
     loop.tick = 0.0
-    return screen
+    return display
