@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from glsim.study.compare import compare as compare
     from glsim.study.explain import explain as explain
     from glsim.study.probe import Probe as Probe
-    from glsim.study.probe import probe as probe
+    from glsim.study.prober import probe as probe
     from glsim.study.terms import Terms as Terms
     from glsim.study.terms import terms as terms
     from glsim.study.trace import trace as trace
@@ -46,7 +46,7 @@ _HOME = {
     "explain": "glsim.study.explain",
     "frame_of": "glsim.play.frames",
     "Probe": "glsim.study.probe",
-    "probe": "glsim.study.probe",
+    "probe": "glsim.study.prober",
     "Terms": "glsim.study.terms",
     "terms": "glsim.study.terms",
     "trace": "glsim.study.trace",

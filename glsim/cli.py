@@ -325,7 +325,7 @@ def _add_probe(commands: Any) -> None:
 
 
 def _probe(options: argparse.Namespace) -> int:
-    from glsim.study.probe import probe
+    from glsim.study.prober import probe
 
     frame = _frame_of(options, calls=True)
     result = probe(frame, options.x, options.y)
@@ -378,7 +378,7 @@ def _explain(options: argparse.Namespace) -> int:
             for stage, text in same[0].glsl.items():
                 print(f"// ---- {stage} shader of draw {', '.join(str(entry.draw) for entry in same)}\n{text}")
     else:
-        from glsim.study.report import explanations
+        from glsim.study.tables import explanations
 
         for table in explanations(found):
             console().print(table)
@@ -392,7 +392,7 @@ def _add_trace(commands: Any) -> None:
 
 
 def _trace(options: argparse.Namespace) -> int:
-    from glsim.study.report import calls_table, mistakes_list
+    from glsim.study.tables import calls_table, mistakes_list
     from glsim.study.trace import trace
 
     frame = _frame_of(options, calls=True)

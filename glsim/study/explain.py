@@ -7,8 +7,6 @@ from dataclasses import dataclass, field, replace
 from itertools import count, groupby
 from typing import Any
 
-import numpy as np
-
 from glsim.machine.constants import GL_COMBINE
 from glsim.machine.frame import Draw, Frame, Trail, Where
 from glsim.play.frames import frame_of
@@ -16,7 +14,8 @@ from glsim.render.batch import MOST_OBJECTS, plans
 from glsim.render.outline import prepare
 from glsim.render.programs import ProgramKey, draw_key, sources
 from glsim.render.specialise import specialised
-from glsim.study.provenance import BEFORE, History, Path, Provenance, call_text, enum_name, value_at
+from glsim.study.provenance import BEFORE, History, Path, Provenance, value_at
+from glsim.study.text import call_text, enum_name, matrix_text, plain, value_text
 
 LIGHTING = ("lighting",)
 
@@ -57,8 +56,6 @@ class Explanation:
         return {stage: specialised(text) for stage, text in sources(self.program).items()}
 
     def as_dict(self) -> dict[str, Any]:
-        from glsim.study.probe import plain
-
         return {
             "draw": self.draw, "what": self.what, "where": plain(self.where), "key": plain(self.key),
             "uniforms": plain(self.uniforms),
@@ -301,20 +298,3 @@ class _Explainer:
 def _tracks(flags: tuple[bool, ...]) -> str:
     names = ("ambient", "diffuse", "specular", "emission")
     return ", ".join(name for name, on in zip(names, flags, strict=True) if on) or "nothing"
-
-
-def value_text(value: Any) -> str:
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, float):
-        return f"{value:.6g}"
-    if isinstance(value, tuple):
-        return "(" + ", ".join(map(value_text, value)) + ")"
-    return enum_name(value)
-
-
-def matrix_text(columns: Any) -> str:
-    """Row by row, as in mathematics."""
-    if np.array_equal(columns, np.eye(4)):
-        return "identity"
-    return "[" + "; ".join(" ".join(f"{value:.4g}" for value in row) for row in np.asarray(columns).T) + "]"

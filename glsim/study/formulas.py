@@ -7,9 +7,11 @@ written from the same lines.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
-from glsim.study.probe import Evaluation, Probe
+if TYPE_CHECKING:
+    from glsim.study.probe import Evaluation, Probe
 
 Line = list[str | float | Sequence[float]]
 

@@ -19,7 +19,8 @@ from glsim.machine.record import implementations
 from glsim.machine.stage import illumination, vertex_stage, window
 from glsim.render.batch import assembled
 from glsim.shading import normalize
-from glsim.study.provenance import BEFORE, Path, Provenance, call_text
+from glsim.study.provenance import BEFORE, Path, Provenance
+from glsim.study.text import call_text
 
 Float = NDArray[np.float64]
 MOST = 3000  # primitives of a Draw that are looked at

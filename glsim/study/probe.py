@@ -6,13 +6,11 @@ follows it are evaluated in NumPy (glsim.shading, glsim.study.fragments).  What 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from glsim.machine.frame import Where
-from glsim.play.frames import frame_of
+from glsim.study.text import plain
 
 Numbers = tuple[float, ...]
 Bytes = tuple[int, int, int, int]
@@ -184,25 +182,3 @@ class Probe:
         from glsim.study.report import probe_report
 
         return probe_report(self)
-
-
-def plain(value: Any) -> Any:
-    """Dataclasses and tuples -> dictionaries and lists; what is not finite becomes None."""
-    if is_dataclass(value):
-        return {entry.name: plain(getattr(value, entry.name)) for entry in fields(value)}
-    if isinstance(value, Where):
-        return value._asdict()
-    if isinstance(value, (tuple, list)):
-        return [plain(entry) for entry in value]
-    return None if isinstance(value, float) and not np.isfinite(value) else value
-
-
-def probe(what: Any, x: int, y: int, **options: Any) -> Probe:
-    """Why the pixel x, y (from the upper left) of what ``what`` draws has its colour.
-
-    what: a Frame (glsim.capture), or anything else that study.frames.frame_of takes, with its options.
-    Raises ValueError for a pixel outside of the picture.
-    """
-    from glsim.study.prober import Prober
-
-    return Prober(frame_of(what, **options)).at(x, y)

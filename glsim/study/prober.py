@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from glsim.machine import constants as gl
 from glsim.machine.frame import Accum, Clear, Draw, Frame, Packet, Pixels, QueryMark, Where
 from glsim.machine.state import Scissor
+from glsim.play.frames import frame_of
 from glsim.render.context import Offscreen, offscreen
 from glsim.render.inspect import Inspector, Piece, Sample, candidates
 from glsim.shading import Contribution, dot
@@ -31,7 +32,7 @@ from glsim.study.fragments import (
     to_8_bits,
 )
 from glsim.study.probe import Bytes, Evaluation, Event, Fragment, LightTerms, Numbers, Probe, Step, Vertex
-from glsim.study.provenance import enum_name
+from glsim.study.text import enum_name
 
 KINDS = {3: "triangle", 2: "line", 1: "point"}
 DEPTHS = (1 << 24) - 1
@@ -362,3 +363,12 @@ def _written(one: Piece, color: NDArray[np.float64], before: Bytes, steps: list[
         steps.append(Step("colour mask", f"{kept} kept", _floats(np.where(mask, result, old) / 255.0)))
     r, g, b, a = np.where(mask, result, old).tolist()
     return r, g, b, a
+
+
+def probe(what: Any, x: int, y: int, **options: Any) -> Probe:
+    """Why the pixel x, y (from the upper left) of what ``what`` draws has its colour.
+
+    what: a Frame (glsim.capture), or anything else that play.frames.frame_of takes, with its options.
+    Raises ValueError for a pixel outside of the picture.
+    """
+    return Prober(frame_of(what, **options)).at(x, y)

@@ -16,10 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.gl.lists import numbers_called
-from glsim.machine import constants
 from glsim.machine import constants as gl
 from glsim.machine.commands import COMMANDS
-from glsim.machine.constants import Enum
 from glsim.machine.current import current_machine, make_current
 from glsim.machine.errors import GLError
 from glsim.machine.frame import Call, Frame, Moment, Trail
@@ -332,43 +330,5 @@ def _run(machine: Machine, call: Call) -> None:
         make_current(current if isinstance(current, Machine) else None)
 
 
-BUFFER_BITS = (gl.GL_COLOR_BUFFER_BIT, gl.GL_DEPTH_BUFFER_BIT, gl.GL_STENCIL_BUFFER_BIT, gl.GL_ACCUM_BUFFER_BIT)
 NAMES = ("modelview", "projection", "texture0", "texture1", "texture2", "texture3")
 INITIAL = Snapshot._make(getattr(Machine(_NoDevice()), name) for name in Snapshot._fields)  # type: ignore[arg-type]
-
-
-def call_text(call: Call) -> str:
-    """A call as it would be written, at most a line."""
-    via = f"{call.where.via}: " if call.where is not None and call.where.via else ""
-    kinds = [kind for _, kind in COMMANDS[call.name].arguments]
-    given = zip(call.arguments, [*kinds, *[""] * len(call.arguments)], strict=False)
-    words = ", ".join(_argument(argument, kind) for argument, kind in given if argument is not None)
-    if call.name == "glClear":
-        names = [repr(bit) for bit in BUFFER_BITS if int(call.arguments[0]) & bit]
-        words = " | ".join(names) or words
-    text = f"{via}{call.name}({words})"
-    return text if len(text) <= 110 else text[:107] + "..."
-
-
-def enum_name(value: Any) -> str:
-    """The name of a constant, whoever computed it: GL_LIGHT0 + 1, or a number that a state variable holds."""
-    if isinstance(value, Enum) or not isinstance(value, int) or isinstance(value, bool):
-        return repr(value)
-    return repr(_ENUMS.get(value, value))
-
-
-# Smaller values are shared by many names.
-_ENUMS = {int(value): value for value in reversed(vars(constants).values()) if isinstance(value, Enum) and value > 255}
-
-
-def _argument(value: Any, kind: str = "") -> str:
-    if kind in ("enum", "param"):
-        return enum_name(int(value)) if isinstance(value, float) and value > 255 and value.is_integer() else (
-            enum_name(value) if isinstance(value, int) else _argument(value))  # fmt: skip
-    if isinstance(value, np.ndarray):
-        return f"array of shape {value.shape}" if value.size > 16 else _argument(value.ravel().tolist())
-    if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(map(_argument, value)) + "]"
-    if isinstance(value, float):
-        return f"{value:.6g}"
-    return f"{len(value)} bytes" if isinstance(value, (bytes, bytearray)) else repr(value)

@@ -11,9 +11,9 @@ from glsim.machine.frame import Call, Draw, Frame, Where
 from glsim.machine.record import REGISTERS_ONLY
 from glsim.machine.state import Lighting
 from glsim.play.frames import frame_of
-from glsim.study.explain import matrix_text, value_text
 from glsim.study.mistakes import CHECKED, Detector, Mistake
-from glsim.study.provenance import LOADING, MULTIPLYING, NAMES, History, Step, call_text, value_at
+from glsim.study.provenance import LOADING, MULTIPLYING, NAMES, History, Step, value_at
+from glsim.study.text import call_text, matrix_text, plain, value_text
 
 
 @dataclass(frozen=True)
@@ -45,13 +45,12 @@ class Trace:
         return f"<Trace: {len(self.entries)} entries, {len(self.mistakes)} mistakes{': ' if kinds else ''}{kinds}>"
 
     def _repr_html_(self) -> str:
-        from glsim.study.report import calls_table, html, mistakes_list
+        from glsim.study.report import html
+        from glsim.study.tables import calls_table, mistakes_list
 
         return html(mistakes_list(self), calls_table(self))
 
     def as_dict(self) -> dict[str, Any]:
-        from glsim.study.probe import plain
-
         return {
             "calls": plain(self.entries),
             "mistakes": [{**entry._asdict(), "where": plain(entry.where)} for entry in self.mistakes],
