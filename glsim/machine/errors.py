@@ -224,7 +224,7 @@ def _complaint(kind: str, value: object, count: int | None) -> str:
         return _array_complaint(value, count)
     try:
         number = float(value)  # type: ignore[arg-type]
-        if isinstance(value, (str, bytes, bytearray)) or getattr(value, "ndim", 0):
+        if isinstance(value, (str, bytes, bytearray)) or getattr(value, "ndim", None):
             return "a number"
         if kind not in ("f", "d", "boolean"):
             int(number)

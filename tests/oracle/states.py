@@ -295,7 +295,7 @@ class States:
         self.say(f"glBlendEquation({equation})")
         factors = BLENDING if self.exact else [factor for factor in BLENDING if "SRC" not in factor]
         if not self.exact and self.chance(0.4):
-            self.say("glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)")
+            self.say("glBlendEquation(GL_FUNC_ADD)", "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)")
         elif self.chance(0.7):
             self.say(f"glBlendFunc({self.pick(factors)}, {self.pick(factors)})")
         else:
