@@ -20,7 +20,7 @@ from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
 from glsim.machine.errors import GLError, show
-from glsim.machine.sentences import MISUSE, explained, is_a_sentence
+from glsim.machine.sentences import MISUSE, explain, explained, is_a_sentence
 from glsim.machine.types import SUFFIXES
 
 Function = Callable[..., Any]
@@ -153,7 +153,7 @@ def suffix_free(family: str, functions: dict[str, Function]) -> Function:
         call = _suffix_free_components(family, functions)
     call.__name__ = call.__qualname__ = family
     call.__module__ = "glsim.gl"
-    return explained(family, call)
+    return call
 
 
 def _suffix_free_parameter(family: str, functions: dict[str, Function]) -> Function:
@@ -166,7 +166,7 @@ def _suffix_free_parameter(family: str, functions: dict[str, Function]) -> Funct
         one = isinstance(arguments[len(names) - 1], (int, float)) or vector is None
         return (scalar if one else vector)(*arguments)  # type: ignore[misc]
 
-    return call
+    return explained(family, call)
 
 
 def _suffix_free_components(family: str, functions: dict[str, Function]) -> Function:
@@ -174,17 +174,20 @@ def _suffix_free_components(family: str, functions: dict[str, Function]) -> Func
     by_count = {row.size: functions[row.name] for row in rows if not row.vector and row.type == "d"}
     leading = len(rows[0].arguments) - rows[0].size  # glMultiTexCoord's target
 
-    def call(*arguments: Any) -> Any:
-        rest = arguments[leading:]
-        if len(rest) == 1 and not isinstance(rest[0], (int, float)):
-            rest = numbers(rest[0])
-        elif family == "glRect" and len(rest) == 2:
-            rest = (*numbers(rest[0]), *numbers(rest[1]))
-        function = by_count.get(len(rest))
-        if function is None:
-            counts = " or ".join(map(str, sorted(by_count)))
-            raise TypeError(f"{family} takes {counts} numbers, or a sequence of them, not {len(rest)}")
-        return function(*arguments[:leading], *rest)
+    def call(*arguments: Any) -> Any:  # called once a vertex: no function around it
+        try:
+            rest = arguments[leading:]
+            if len(rest) == 1 and not isinstance(rest[0], (int, float)):
+                rest = numbers(rest[0])
+            elif family == "glRect" and len(rest) == 2:
+                rest = (*numbers(rest[0]), *numbers(rest[1]))
+            function = by_count.get(len(rest))
+            if function is None:
+                counts = " or ".join(map(str, sorted(by_count)))
+                raise TypeError(f"{family} takes {counts} numbers, or a sequence of them, not {len(rest)}")
+            return function(*arguments[:leading], *rest)
+        except Exception as error:
+            raise explain(error, family, arguments, ()) from None
 
     return call
 

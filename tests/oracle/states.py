@@ -176,6 +176,8 @@ class States:
             self.say(f"glMaterialfv({face}, {name}, [{self.color(0)}])")
 
     def texture(self) -> None:
+        if self.units:
+            return
         self.unit(0)
         if self.chance(0.3):
             self.unit(self.random.randint(1, 3))
@@ -252,8 +254,6 @@ class States:
             operands = ["GL_SRC_COLOR", "GL_ONE_MINUS_SRC_COLOR", "GL_SRC_ALPHA", "GL_ONE_MINUS_SRC_ALPHA"]
             self.say(f"glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND{k}_RGB, {self.pick(operands)})")
             self.say(f"glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND{k}_ALPHA, {self.pick(operands[2:])})")
-        if self.chance(0.3):
-            self.say(f"glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, {self.pick(['1', '2'])})")
 
     def generators(self, target: str, mipmaps: bool) -> None:
         modes = ["GL_OBJECT_LINEAR", "GL_EYE_LINEAR"]
@@ -295,7 +295,7 @@ class States:
         self.say(f"glBlendEquation({equation})")
         factors = BLENDING if self.exact else [factor for factor in BLENDING if "SRC" not in factor]
         if not self.exact and self.chance(0.4):
-            self.say("glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)")
+            self.say("glBlendEquation(GL_FUNC_ADD)", "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)")
         elif self.chance(0.7):
             self.say(f"glBlendFunc({self.pick(factors)}, {self.pick(factors)})")
         else:
