@@ -319,6 +319,15 @@ def test_every_command_takes_such_a_program(
     assert [row["max"] <= 1 for row in said["compare"]["differences"]] == [True, True, True]
 
 
+def test_a_window_comes_before_a_screen(tmp_path: Path) -> None:
+    from glsim.play.frames import frame_of_program
+
+    (tmp_path / "program.py").write_text(SCREEN + WINDOW + "glRectf(-1, -1, 0, 0)\nglutMainLoop()\n")
+    frame = frame_of_program(tmp_path / "program.py", calls=True)
+    assert (frame.width, frame.height) == (60, 40)
+    assert [call.name for call in frame.calls if call.name == "glRectf"] == ["glRectf"]
+
+
 def test_a_reset_begins_anew(tmp_path: Path) -> None:
     from glsim.play.frames import frame_of_program
 

@@ -161,6 +161,8 @@ class Player:
             loop.left = True
 
     def _opened(self, window: Window) -> None:
+        if len(loop.windows) == 1:
+            self.frame = None  # of a screen of glsim.offscreen: windows come before screens
         self._watch(window.screen, window.asked)
 
     def _watch(self, screen: Offscreen, size: tuple[int, int]) -> None:
@@ -236,6 +238,8 @@ class Player:
         record = self.record
         if self.frame is not None and self.plan.capture is not None and not os.path.exists(self.plan.capture):
             self._keep_frame(self.frame)  # the program ended before the last step
+        if self.plan.window and self.unshown and not loop.windows:
+            record.notes.append("--window shows the windows of GLUT; this program draws into glsim.offscreen")
         for number, screen in list(self.unshown.items()):
             self._show(number, screen)
         if self.screens > MOST_SCREENS and not loop.windows:
