@@ -227,6 +227,7 @@ class Author(States):
         for _ in range(1 if self.blended else self.random.randint(1, 2)):
             first = len(self.lines)
             self.say("glPushMatrix()")
+            self.say(f"glTranslatef(0, 0, {self.number(-0.4, 0.4)})")
             self.transform()
             self.say(
                 f"glColor4f({self.color()})", f"glNormal3f({self.numbers(2, -0.5, 0.5)}, 1)", f"glCallList({number})"
