@@ -219,3 +219,33 @@ def test_groups_hold_every_switch(screen: glsim.Offscreen) -> None:
         glEnable(capability)
         glPopAttrib()
         assert not glIsEnabled(capability)
+
+
+def test_a_flat_rectangle_is_lit_at_its_first_vertex(screen: glsim.Offscreen) -> None:
+    def lit() -> None:
+        glShadeModel(GL_FLAT)
+        glEnable(GL_LIGHTING)
+        glEnable(GL_LIGHT0)
+        glLightfv(GL_LIGHT0, GL_POSITION, [-0.6, -0.5, 0.3, 1])
+
+    lit()
+    glRectf(-0.6, -0.5, 0.5, 0.7)
+    rectangle = screen.pixels().copy()
+    screen.reset()
+    lit()
+    glBegin(GL_POLYGON)
+    for x, y in ((-0.6, -0.5), (0.5, -0.5), (0.5, 0.7), (-0.6, 0.7)):
+        glVertex2f(x, y)
+    glEnd()
+    assert (rectangle == screen.pixels()).all()
+    assert rectangle[64, 64, 0] > 200, "the light is above the first vertex; at the last one it is dark"
+
+
+def test_a_loop_with_materials_is_closed(screen: glsim.Offscreen) -> None:
+    glEnable(GL_LIGHTING)
+    glBegin(GL_LINE_LOOP)
+    for k, (x, y) in enumerate(((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))):
+        glMaterialfv(GL_FRONT, GL_EMISSION, [0.2 + 0.2 * k, 0, 0, 1])
+        glVertex2f(x, y)
+    glEnd()
+    assert screen.pixels()[40:90, 30:34, 0].any(axis=1).all(), "the line from the last vertex to the first"

@@ -154,6 +154,9 @@ Where Mesa 22.3.6 and the specification of OpenGL 1.5 disagree, glsim does what 
 - Where the 2D texture of a unit is incomplete, an enabled 1D texture is drawn in its place.
 - Bitmaps that overlap pass the stencil test, and change the stencil buffer, once.
 - glAccum under GLX goes through an sRGB view: GL_RETURN with 0.5 gives 92 where half of 128 is 64.
+- glRect under GL_FLAT is lit at its last vertex, as a quad; by 2.10 it is a polygon, whose first vertex counts.
+- A glMaterial between the vertices of a GL_LINE_LOOP loses the closing line.
+- Where an edge of a zoomed column meets a pixel's centre, glDrawPixels takes the column before (3.6.4 counts it in).
 
 Done as Mesa does, against section 2.11: edges that clipping by the view volume introduces are not boundary edges. They
 would frame every picture of outlines, and Mesa draws none. What glClipPlane introduces is drawn in GL_LINE and
