@@ -9,8 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from glsim.cli.options import check_picture_name, console, count, positive, size
 from glsim.files import check_folder, write_atomically, write_text
-from glsim.options import check_picture_name, console, count, positive, size
 
 if TYPE_CHECKING:
     from glsim.radiosity.result import Radiosity
