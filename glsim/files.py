@@ -49,7 +49,8 @@ def write_text(path: str | os.PathLike[str], text: str) -> None:
 def read_regular(path: str | os.PathLike[str], most: int) -> bytes:
     """The bytes of a regular file of at most ``most`` bytes; links are not followed, and a FIFO does not block.
 
-    For files that a program wrote which is not trusted.  Raises ValueError for anything else, OSError as ``open`` does.
+    For files that an untrusted program wrote.  Raises ValueError for a file that is larger or not regular, OSError as
+    ``open`` does.
     """
     flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
     with open(os.open(path, flags), "rb") as file:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-SHADING = {"flat": "flat", "gouraud": "gouraud", "smooth": "gouraud", "phong": "phong"}  # name -> the one that is kept
+SHADING = {"flat": "flat", "gouraud": "gouraud", "smooth": "gouraud", "phong": "phong"}  # name -> canonical name
 LOBES = {"blinn": "blinn", "blinn-torrance": "blinn", "phong": "phong"}
 
 
 def did_you_mean(name: str, names: Iterable[str]) -> str:
-    """ "; did you mean 'teapot'?" for the name that is most like the misspelt one, or "" if none is.
+    """ "; did you mean 'teapot'?" for the entry of ``names`` closest to the misspelt ``name``; "" if none is close.
 
-    The gl commands' f is preferred: glVertex3 -> glVertex3f.
+    A gl command that lacks its suffix is completed, with f first: glVertex3 -> glVertex3f.
     """
     from difflib import get_close_matches
 

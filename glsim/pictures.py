@@ -15,7 +15,9 @@ BEHIND, NOTHING = (60, 60, 70), (235, 235, 232)
 
 
 def heat(values: NDArray[np.float64], covered: NDArray[np.bool_]) -> NDArray[np.uint8]:
-    """[0, 1] from violet to yellow; negative values grey, uncovered pixels white."""
+    """Values (height, width) as RGB (height, width, 3): [0, 1] from violet to yellow, negative values dark grey.
+
+    covered: (height, width); pixels outside become nearly white."""
     places = np.linspace(0.0, 1.0, len(SCALE))
     colors = np.stack([np.interp(values, places, SCALE[:, channel]) for channel in range(3)], axis=-1)
     colors[values < 0.0] = BEHIND

@@ -1,6 +1,7 @@
 """The command ``glsim``: parses, calls, prints.
 
-Exit codes: 0 done; 1 it could not be done (the reason is printed); 2 the command line is wrong; 130 interrupted.
+Exit codes: 0 success; 1 failure (the reason is printed), or trace --mistakes found some; 2 wrong command line; 130
+interrupted by Ctrl-C; 128 + n ended by signal n.
 """
 
 from __future__ import annotations

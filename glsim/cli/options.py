@@ -1,4 +1,4 @@
-"""What the commands' options may be, and where they print."""
+"""Conversion and checks of option values (argparse types), and the console that the commands print to."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ class Parser(argparse.ArgumentParser):
 
 
 def shading(text: str) -> str:
-    return _kept(text, SHADING, "the shading")
+    return _canonical(text, SHADING, "the shading")
 
 
 def lobe(text: str) -> str:
-    return _kept(text, LOBES, "the lobe")
+    return _canonical(text, LOBES, "the lobe")
 
 
-def _kept(text: str, names: dict[str, str], kind: str) -> str:
-    """The one name that is kept for another: smooth -> gouraud."""
+def _canonical(text: str, names: dict[str, str], kind: str) -> str:
+    """The canonical name for ``text``: smooth -> gouraud.  Raises ArgumentTypeError for an unknown name."""
     if text not in names:
         raise argparse.ArgumentTypeError(f"{kind} is {', '.join(names)}, not {text!r}{did_you_mean(text, names)}")
     return names[text]
@@ -99,7 +99,7 @@ def camera(text: str) -> Camera:
 
 
 def check_picture_name(name: str) -> None:
-    """Before the work begins."""
+    """Raises ValueError, before any work, if the ending of a file name is no picture format."""
     from PIL import Image
 
     if Path(name).suffix.lower() not in Image.registered_extensions():

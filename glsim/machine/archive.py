@@ -5,8 +5,8 @@ document is a list of nodes, each [kind, item, item, ...]: a Draw, a Matrix, a t
 number, a text, true, false, null, or [k], the node with number k, which stands before this one.  What a Frame shares
 (the state of a hundred draws, say) is one node.
 
-A program whose Frame is read may be anybody's.  So nothing is unpickled, only the kinds listed here are made, every
-field must be of the type that its class declares, and arrays must have the shapes that the renderer relies on.
+The program that wrote the file is not trusted.  Therefore nothing is unpickled, only the kinds listed here are built,
+each field must have the type that its class declares, and arrays must have the shapes that the renderer relies on.
 """
 
 from __future__ import annotations
@@ -83,10 +83,10 @@ class _Writer:
     def __init__(self) -> None:
         self.nodes: list[list[Any]] = []
         self.memory = io.BytesIO()
-        self.known: dict[int, tuple[list[int], Any]] = {}  # id -> node, and the value, so that the id stays its own
+        self.known: dict[int, tuple[list[int], Any]] = {}  # id -> item, value (held: its id stays unique)
 
     def item(self, value: Any) -> Any:
-        """The item that stands for a value, after the nodes it needs."""
+        """The item for a value: the value itself if it is simple, else [number] of its node, which is added if new."""
         kind = type(value)
         if value is None or kind in (bool, int, float, str):
             return value
@@ -227,7 +227,7 @@ def expect(holds: bool, sentence: str) -> None:
 
 
 def _builder(record: type) -> Callable[..., Any]:
-    """What makes a record from its fields, if each is of the declared type."""
+    """A function (*fields) -> record, which raises ValueError unless each field has the declared type."""
     hints = get_type_hints(record)
     names = _fields(record)
     declared = [hints[name] for name in names]

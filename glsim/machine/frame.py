@@ -36,7 +36,7 @@ class Vertices:
     """The vertices between two flushes, or of a display list.
 
     rows: (n, 10) float32; columns 0:3 position, 3:6 normal, 6:10 colour.
-    columns: other attributes by name (machine.INITIAL and w), (n, width) float32; (1, width) where all agree.
+    columns: name of a further attribute -> (n, width) float32, or (1, width) if all vertices have the same value.
     materials: (first vertex, material) for each glMaterial between glBegin and glEnd, in order.
     static: the rows will be drawn again and again, so the GPU may keep them.
     """
@@ -53,7 +53,7 @@ class Vertices:
         self.rows, self.columns, self.materials, self.static = rows, columns, materials, static
 
     def column(self, name: str) -> NDArray[np.float32]:
-        """A column with a row for every vertex."""
+        """The attribute ``name`` as (n, width): one row for each vertex."""
         values = self.columns[name]
         return values if len(values) == len(self.rows) else np.repeat(values[:1], len(self.rows), axis=0)
 
@@ -91,9 +91,9 @@ class Draw:
         self.mode, self.first, self.count, self.indices = mode, first, count, indices
         self.matrices, self.material, self.state = matrices, material, state
         self.vertices = vertices
-        self.color: Color | None = None  # for all vertices, instead of their own: a display list that sets none
+        self.color: Color | None = None  # replaces the colour of all vertices, for a display list that sets no colour
         self.call: int | None = None  # the number of the call that ended it, if calls are recorded
-        self.trail: Trail = ()  # if that was glCallList
+        self.trail: Trail = ()  # position in the display lists, if ``call`` is a glCallList
 
     def with_state(self, state: Snapshot) -> Draw:
         """The same geometry under another state."""
@@ -118,7 +118,7 @@ class Draw:
 
     @property
     def block(self) -> Vertices:
-        """The vertices; they are there once the frame was flushed."""
+        """The vertices that ``first`` and ``indices`` refer to; they are None until the machine is flushed."""
         assert self.vertices is not None
         return self.vertices
 

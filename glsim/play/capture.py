@@ -1,4 +1,4 @@
-"""Catching what a program draws as data."""
+"""``capture``: the draws of a program as a Frame; ``program_source``: the GLSL of the current state."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from glsim.machine.record import Recorder
 
 @contextmanager
 def capture(calls: bool = False) -> Iterator[Frame]:
-    """Collect what is drawn inside of the ``with`` block; it is drawn all the same.
+    """Collect the packets drawn inside the ``with`` block in a Frame, and draw them as usual.
 
-    The Frame yielded is complete when the block ends.  calls: record every call too (``frame.calls``).
+    Yields the Frame, which is complete when the block ends.  calls: record every call too (``frame.calls``).
 
         with glsim.capture() as frame:
             draw()

@@ -25,9 +25,10 @@ def frame_of(
     what: a Frame (returned as it is), a function that draws with the gl commands, a Scene, the name of a built-in
         scene, the path of a mesh file, a trimesh.Trimesh, or the path of a program (.py), run as ``glsim run`` does.
     size: pixels of the picture (default: 512, or as the program asks).  calls: record every call.
-    step, events, timeout: which picture of a program, what happens before it, and how many seconds it may take.
+    step: number of the program's picture, from 0.  events: delivered to the program, one for each step from 1 on.
+    timeout: seconds that the program may run; None for no limit.
 
-    Raises ValueError for what cannot be drawn, FileNotFoundError for a program that is not there.
+    Raises ValueError if nothing can be drawn, FileNotFoundError for a program that does not exist.
     """
     if isinstance(what, Frame):
         return what
@@ -58,10 +59,10 @@ def frame_of_program(
     script: str | Path, *, calls: bool = False, step: int = 0, events: Sequence[str] = (), timeout: float | None = 60.0,
     size: int | None = None,
 ) -> Frame:  # fmt: skip
-    """The picture of a program's first window after ``step`` steps, from its beginning on.
+    """The picture number ``step`` (from 0) of a program's first window, as a Frame.
 
-    An error that ends the program is in ``frame.error``, with what was drawn until then.  Raises ValueError if it draws
-    nothing.
+    If an error ends the program earlier, the Frame holds the packets up to it, and ``frame.error`` the message.  Raises
+    ValueError if the program gives no picture.
     """
     from glsim.play.plan import Plan
     from glsim.play.run import run
@@ -94,7 +95,9 @@ def drawer(
     material: str | None = None,
     camera: Camera | None = None,
 ) -> tuple[str, Callable[[], None]]:
-    """A title, and a function without arguments that draws; lights, material, camera: instead of the scene's own."""
+    """The title of ``what``, and a function () that draws it at size x size pixels.
+
+    lights, material, camera: replace those of the scene; None keeps them."""
     if callable(what) and not isinstance(what, Scene):
         if lights or material or camera:
             raise ValueError("compare: a drawing function sets its own lights, material and camera")

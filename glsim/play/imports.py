@@ -1,6 +1,7 @@
-"""What a program's own files get when they import.
+"""Which modules the program's own files import.
 
-Own files are the program and what lies in its folder, but no installed packages.  For them only
+Own files are the program and the other files in its folder, except installed packages.  Two rules hold for their
+imports only:
 
 - the modules ``time`` and ``datetime`` follow the clock of the steps.  Libraries keep the real ones: pandas and
   threads break when time stands still or when ``datetime.datetime`` is another class;
@@ -24,7 +25,7 @@ from typing import Any
 import numpy as np
 
 LIBRARIES = {"PIL", "fissix", "glfw", "rich", "scipy", "trimesh"}  # that glsim loads when they are needed
-PRIVATE = "_own_"  # begins the names in sys.modules of own modules that have the name of one of Python's
+PRIVATE = "_own_"  # prefix in sys.modules of own modules whose names Python or a library also uses
 EPOCH = 1_000_000_000.0  # what time.time() says at the start, in seconds
 
 
@@ -37,7 +38,7 @@ class OwnImports:
     def __init__(self, folder: str, stand_ins: dict[str, ModuleType], loader: type[SourceFileLoader]) -> None:
         self.folder, self.stand_ins, self.loader = folder, stand_ins, loader
         self.inside = os.path.join(folder, "")
-        # Only own files may find these in the folder.
+        # Names of Python's and libraries' modules: in the folder only own files find modules of these names.
         self.hidden = sys.stdlib_module_names | LIBRARIES | {name.partition(".")[0] for name in sys.modules}
         self.own_files: dict[Any, bool] = {}
         self.python_import = builtins.__import__
@@ -77,7 +78,7 @@ class OwnImports:
         return self.own_files[file]
 
     def _load_beside(self, name: str) -> bool:
-        """Whether there is an own module of this name, which Python would take for another one; loads it if so."""
+        """Whether the folder has a module of this name, which Python would import from elsewhere; loads it if so."""
         private = PRIVATE + name
         if private in sys.modules:
             return True
@@ -112,9 +113,9 @@ class _Finder(FileFinder):
 
 
 def steady_time(seconds: Callable[[], float], advance: Callable[[float], None], python2: bool) -> dict[str, ModuleType]:
-    """``time`` and ``datetime`` on a clock: ``seconds`` since the start; ``advance`` is what sleeping does.
+    """Stand-ins for the modules ``time`` and ``datetime`` that follow the clock of the steps.
 
-    python2: with time.clock, which only Python 2 has.
+    seconds: returns the seconds since the start.  advance(s): called by time.sleep(s).  python2: add time.clock.
     """
     return {"time": _time(seconds, advance, python2), "datetime": _datetime(seconds)}
 

@@ -11,7 +11,11 @@ MADE_BY = "glsim run"  # what their PNG chunk "Software" says
 
 @dataclass
 class Plan:
-    """What to play, and how: one field for each option of ``glsim run``."""
+    """One run of a program: options of ``glsim run``, and the files for its results.
+
+    out: folder for pictures, None for none.  frames: number of steps.  events: one for each step from the second on.
+    real_time: the real clock; else time stands still in a step.  count: count the calls of each command.
+    python2: convert programs of Python 2.  capture_calls: record the calls in the captured Frame."""
 
     script: str
     arguments: list[str] = field(default_factory=list)
@@ -26,7 +30,7 @@ class Plan:
     count: bool = False
     python2: bool = True
     result: str | None = None  # a file for the Record
-    stack: str | None = None  # a file for where the program is when its time is up
+    stack: str | None = None  # a file for the program's Python stack at the time limit
     capture: str | None = None  # a file for the last picture's Frame
     capture_calls: bool = False
 

@@ -36,7 +36,7 @@ from glsim.render.context import Offscreen, offscreen
 
 MOST_ERRORS = 5  # a program that fails so often is stopped
 MOST_SCREENS = 16  # of glsim.offscreen whose pictures are kept
-PATIENCE = 1.0  # seconds
+PATIENCE = 1.0  # seconds between two pictures that are saved within one step
 
 
 class Player:
@@ -48,8 +48,8 @@ class Player:
         self.saved = time.monotonic()
         self.frame: Frame | None = None  # what the first window draws, with plan.capture
         self.screens = 0  # that the program opened with glsim.offscreen
-        self.unshown: dict[int, Offscreen] = {}
-        self.swapped = 0, 0  # its packets and calls at the last swap
+        self.unsaved_screens: dict[int, Offscreen] = {}
+        self.swapped = 0, 0  # lengths of self.frame.packets and .calls at the last swap
         self.script = str(Path(plan.script).resolve())
 
     def play(self) -> Record:
@@ -108,7 +108,7 @@ class Player:
     # ------------------------------------------------------------ programs that draw into glsim.offscreen
 
     def _offscreen(self, width: int, height: int, **named: Any) -> Offscreen:
-        """glsim.offscreen as the program gets it: its screens are shown as windows are, if it opens none."""
+        """Replaces glsim.offscreen in the program: pictures of its screens are saved if the program opens no window."""
         screen = offscreen(width, height, **named)
         self.screens += 1
         if self.screens <= MOST_SCREENS:
@@ -118,20 +118,20 @@ class Player:
                 self._show(number, screen)
                 release()
 
-            self.unshown[number] = screen
+            self.unsaved_screens[number] = screen
             screen.release = keep_and_release  # type: ignore[method-assign]
             self._watch(screen, (width, height))
         return screen
 
     def _show(self, number: int, screen: Offscreen) -> None:
-        """The picture of a screen, once: when the program releases it, or ends."""
-        if self.unshown.pop(number, None) is None or loop.windows:
+        """Save the picture, and the Frame, of screen ``number`` once: when the program releases it, or ends."""
+        if self.unsaved_screens.pop(number, None) is None or loop.windows:
             return
         machine = screen.machine
         if machine.capturing is not None and machine.capturing is self.frame:
-            self._keep_frame(self.frame, screen)
+            self._save_frame(self.frame, screen)
         if self.plan.out is not None:
-            self._keep(picture_of(screen, screen.width, screen.height), _name(0, number))
+            self._save_picture(picture_of(screen, screen.width, screen.height), _name(0, number))
         self.record.frames = 1
 
     # ------------------------------------------------------------ what the loop reports
@@ -162,7 +162,7 @@ class Player:
 
     def _opened(self, window: Window) -> None:
         if len(loop.windows) == 1:
-            self.frame = None  # of a screen of glsim.offscreen: windows come before screens
+            self.frame = None  # drop the Frame of a glsim.offscreen screen: windows take precedence
         self._watch(window.screen, window.asked)
 
     def _watch(self, screen: Offscreen, size: tuple[int, int]) -> None:
@@ -175,7 +175,8 @@ class Player:
                 machine.record(Recorder(machine, self.frame))
 
     def _swapped(self, window: Window) -> None:
-        """Within a step that takes long, or never ends, pictures are kept now and then."""
+        """Called at each buffer swap: saves the picture if the last was saved more than PATIENCE seconds ago, so that a
+        step that never ends leaves pictures too.  Also notes how much of the Frame is visible."""
         if self.frame is not None and window.screen.machine.capturing is self.frame:
             self.frame.packets[:] = needed(self.frame.packets)
             self.swapped = len(self.frame.packets), len(self.frame.calls)
@@ -183,17 +184,17 @@ class Player:
         if now - self.saved > PATIENCE:
             self.saved = now
             if self.plan.out is not None and window.shown is not None and window is next(iter(loop.windows.values())):
-                self._keep(window.shown, _name(loop.step, 1))
+                self._save_picture(window.shown, _name(loop.step, 1))
                 self.record.frames = max(self.record.frames, loop.step + 1)
                 self._report()
 
     def _after_step(self, played: Loop) -> None:
         for order, window in enumerate(played.windows.values(), 1):
             if self.plan.out is not None and window.shown is not None:
-                self._keep(window.shown, _name(played.step - 1, order))
+                self._save_picture(window.shown, _name(played.step - 1, order))
         self.saved = time.monotonic()
         if self.frame is not None and played.step == max(played.steps or 1, 1 + len(played.events)):
-            self._keep_frame(self.frame)
+            self._save_frame(self.frame)
         if self.display is not None:
             self.display.after_step(played)
         self.record.frames = played.step
@@ -201,7 +202,7 @@ class Player:
         played.notes = []
         self._report()
 
-    def _keep(self, picture: Any, name: str) -> None:
+    def _save_picture(self, picture: Any, name: str) -> None:
         from PIL import Image
         from PIL.PngImagePlugin import PngInfo
 
@@ -218,10 +219,10 @@ class Player:
         if name not in self.record.pictures:
             self.record.pictures.append(name)
 
-    def _keep_frame(self, frame: Frame, screen: Offscreen | None = None) -> None:
-        """Write the Frame that is shown to plan.capture: of a double-buffered window what was drawn before the swap.
+    def _save_frame(self, frame: Frame, screen: Offscreen | None = None) -> None:
+        """Write the Frame of the visible picture to plan.capture; of a double-buffered window up to its last swap.
 
-        screen: where it was drawn; None for the window that it was drawn in.
+        screen: the one it was drawn on, if that is a screen of glsim.offscreen; None for a window.
         """
         window = next((w for w in loop.windows.values() if w.screen.machine.capturing is frame), None)
         screen = window.screen if window is not None else screen
@@ -237,10 +238,10 @@ class Player:
     def _finish(self) -> None:
         record = self.record
         if self.frame is not None and self.plan.capture is not None and not os.path.exists(self.plan.capture):
-            self._keep_frame(self.frame)  # the program ended before the last step
-        if self.plan.window and self.unshown and not loop.windows:
+            self._save_frame(self.frame)  # the program ended before the last step
+        if self.plan.window and self.unsaved_screens and not loop.windows:
             record.notes.append("--window shows the windows of GLUT; this program draws into glsim.offscreen")
-        for number, screen in list(self.unshown.items()):
+        for number, screen in list(self.unsaved_screens.items()):
             self._show(number, screen)
         if self.screens > MOST_SCREENS and not loop.windows:
             record.notes.append(f"pictures of the first {MOST_SCREENS} of {self.screens} screens are kept")

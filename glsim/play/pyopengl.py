@@ -24,7 +24,7 @@ Wrap = Callable[[str, Any], Any]
 
 
 def install(wrap: Wrap | None = None) -> None:
-    """wrap: made of each command (name, function), for counting."""
+    """From now on ``import OpenGL`` gives glsim.  wrap(name, function) -> the function that replaces a command."""
     for name in [name for name in sys.modules if name == "OpenGL" or name.startswith("OpenGL.")]:
         del sys.modules[name]
     sys.meta_path.insert(0, _Finder(wrap or (lambda name, function: function)))
@@ -114,13 +114,13 @@ def _extension(module: str) -> dict[str, Any]:
         if name.startswith("GL_") or (name.startswith("gl") and name[2].isupper())
     }
     words = "".join(word[:1].upper() + word[1:] for word in extension.split("_"))
-    content[f"glInit{words}{vendor}"] = lambda: extension in THERE
+    content[f"glInit{words}{vendor}"] = lambda: extension in SUPPORTED_EXTENSIONS
     content["__all__"] = list(content)
     return content
 
 
 EXTENSIONS = tuple(f"OpenGL.GL.{vendor}" for vendor in SUFFIXES)
-THERE = {
+SUPPORTED_EXTENSIONS = {
     "multitexture", "texture_env_combine", "texture_env_add", "texture_env_crossbar", "texture_env_dot3",
     "texture_cube_map", "texture_border_clamp", "depth_texture", "shadow", "transpose_matrix", "window_pos",
     "point_parameters", "vertex_buffer_object", "occlusion_query", "texture3D", "texture_lod_bias", "fog_coord",

@@ -26,8 +26,8 @@ class ConversionError(Exception):
 def compiled_program(source: bytes, name: str, convert: bool = True) -> tuple[types.CodeType, bool]:
     """The code of a program, and whether it was converted from Python 2.
 
-    convert: whether it may be.  A program that is neither Python 3 nor converts is one of Python 3 with a mistake: then
-    SyntaxError is raised, with Python 3's own message and line.  So it is where only tabs and spaces are mixed.
+    convert: whether conversion is allowed.  Raises SyntaxError, with Python 3's own message and line, if the program
+    neither compiles as Python 3 nor converts, or if its only mistake is that it mixes tabs and spaces.
     """
     if not convert or is_python_3(source.expandtabs(8), name):
         return compile(source, name, "exec"), False
@@ -62,7 +62,7 @@ def is_python_3(source: bytes, name: str) -> bool:
 
 
 def _prints_to_a_file(node: ast.AST) -> bool:
-    """``print >>log, text`` is Python 3 as well, but can mean nothing there."""
+    """Whether a node is ``print >>log``: valid syntax in Python 3, but only meaningful in Python 2."""
     shifted = isinstance(node, ast.BinOp) and isinstance(node.op, ast.RShift)
     return shifted and isinstance(node.left, ast.Name) and node.left.id == "print"  # type: ignore[attr-defined]
 
@@ -189,7 +189,7 @@ OLD_MODULES = {
 
 @cache
 def prepare() -> None:
-    """What Python 2 had elsewhere is found again."""
+    """Make modules and string functions of Python 2 importable under their old names."""
     sys.meta_path.append(_OldModules())
     for name in ("split", "join", "lower", "upper", "replace", "strip", "lstrip", "rstrip", "find", "count"):
         if not hasattr(string, name):

@@ -14,7 +14,9 @@ WHOLE = gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
 
 
 def reshaded(shade: str | None, lobe: str | None) -> Callable[[Draw], Draw] | None:
-    """What gives a Draw this mode of ``shaded`` and this lobe, whatever the program says; None if it keeps both."""
+    """A function draw -> draw under another shading mode (see ``shaded``) and lobe; None if both are None.
+
+    shade None keeps the program's shade model; lobe None is "blinn"."""
     if shade is None and lobe is None:
         return None
 
@@ -74,7 +76,9 @@ def _outlined(draw: Draw) -> Draw:
 
 
 def needed(packets: list[Packet]) -> list[Packet]:
-    """The packets that a picture depends on: not those before a glClear that wipes colour, depth and stencil."""
+    """The packets from the last glClear on that clears all colour, depth and (if a test uses it) stencil values.
+
+    All packets if there is no such glClear, or if there is a glAccum or a query."""
     if any(isinstance(packet, (Accum, QueryMark)) for packet in packets):
         return packets
     stencil = any(packet.state.stencil.test for packet in packets if not isinstance(packet, QueryMark))

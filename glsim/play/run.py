@@ -1,8 +1,8 @@
 """``glsim run``: play a program in a process of its own, and tell what happened.
 
-The program may end as it likes (sys.exit, os._exit, an endless loop, a crash): this process stays, what was drawn until
-then is there, and none of the program's processes is left.  What the program's process writes for this one is taken for
-what anybody might have written: JSON of a known form, and pictures.
+However the program ends (sys.exit, os._exit, a time limit, a crash), this process continues, the pictures drawn so far
+are in the folder, and all processes of the program are ended.  The files that the program's process writes are not
+trusted: its report must be JSON with the fields of Record.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from glsim.play.plan import MADE_BY, PICTURE, Plan, Record
 from glsim.play.supervise import Outcome, supervised
 
 MOST_REPORT = 1 << 24  # bytes of the report of a run
-TOLD = ("running", "ok", "gl-error", "python-error", "no-window")  # the statuses that a run itself can report
+REPORTABLE = ("running", "ok", "gl-error", "python-error", "no-window")  # the statuses that a run itself can report
 
 
 def events_from(keys: str, events: str) -> list[str]:
@@ -46,13 +46,15 @@ def events_from(keys: str, events: str) -> list[str]:
 
 
 def run(plan: Plan, timeout: float | None = 60.0) -> dict[str, Any]:
-    """Play ``plan`` in a child process; what happened, as play.Record has it, with three further statuses: "timeout",
-    "interrupted" (by Ctrl-C) and "exit" (the program ended its process itself, or crashed).
+    """Play ``plan`` in a child process.  Returns the fields of play.plan.Record as a dictionary.
+
+    status has three further values: "timeout", "interrupted" (by Ctrl-C) and "exit" (the program ended its process
+    itself, or crashed).
 
     With ``plan.count`` what the program prints goes to standard error.  Pictures of an earlier run are removed from the
     folder ``plan.out``.
     timeout: seconds after which the program is stopped; None for never.  Raises FileNotFoundError for a script that is
-    not there, OSError if the folder for the pictures cannot be made.
+    not written, OSError if the folder for the pictures cannot be made.
     """
     if not Path(plan.script).is_file():
         what = "is a folder; name a Python program" if Path(plan.script).is_dir() else "there is no such file"
@@ -80,11 +82,11 @@ def run(plan: Plan, timeout: float | None = 60.0) -> dict[str, Any]:
             interrupted = True
         record = read_report(plan.result or "")
         line = _hung_at(stack, script) if outcome.timed_out else None
-    there = [name for name in record["pictures"] if plan.out and _is_regular(Path(plan.out) / name)]
-    record["pictures"] = there
+    written = [name for name in record["pictures"] if plan.out and _is_regular(Path(plan.out) / name)]
+    record["pictures"] = written
     if interrupted:
         record["status"] = "interrupted"
-        record["notes"].append(f"interrupted; {len(there)} pictures are kept")
+        record["notes"].append(f"interrupted; {len(written)} pictures are kept")
     elif outcome.timed_out:
         record["status"] = "timeout"
         where = f", in line {line} of {Path(script).name}" if line else ""
@@ -107,7 +109,7 @@ def _is_regular(path: Path) -> bool:
 
 
 def _prepare(out: Path) -> None:
-    """Make the folder for pictures; those that an earlier run left there go."""
+    """Make the folder for pictures, and delete the pictures of an earlier run from it."""
     try:
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -149,7 +151,7 @@ def _check_report(report: Any) -> None:
         raise ValueError("a report has the fields of Record")
     texts = (*report["pictures"], *report["notes"], *report["calls"])
     counts = (report["frames"], *report["calls"].values())
-    if report["status"] not in TOLD or not all(type(text) is str for text in texts):
+    if report["status"] not in REPORTABLE or not all(type(text) is str for text in texts):
         raise ValueError("a status and texts are expected")
     if not all(type(count) is int and 0 <= count < 1 << 53 for count in counts):
         raise ValueError("counts are expected")
@@ -177,11 +179,11 @@ def _hung_at(stack: str, script: str) -> int | None:
 
 
 def check_animation(option: str, target: Path) -> None:
-    """Before a program is run.  Raises ValueError if --gif or --mp4 (``option``) names a file of another kind."""
+    """Raises ValueError, before the program runs, if --gif or --mp4 (``option``) cannot write the file ``target``."""
     if target.suffix.lower() != f".{option}":
         raise ValueError(f"--{option} {target}: the name must end in .{option}")
     if not target.parent.is_dir():
-        raise ValueError(f"--{option} {target}: there is no folder {target.parent}; make it first")
+        raise ValueError(f"--{option} {target}: written is no folder {target.parent}; make it first")
     if option == "mp4":
         _ffmpeg(target)
 
@@ -198,12 +200,12 @@ def _ffmpeg(target: Path) -> Any:
 def animate(pictures: Sequence[Path], target: Path, milliseconds: float = 20.0) -> None:
     """The pictures of the first window as an animated GIF, or with imageio-ffmpeg as MP4.
 
-    Raises ValueError if there are none, or if they are too small for MP4.
+    Raises ValueError if written are none, or if they are too small for MP4.
     """
     from PIL import Image
 
     if not pictures:
-        raise ValueError(f"{target}: there is no picture to animate")
+        raise ValueError(f"{target}: written is no picture to animate")
     images = [Image.open(path).convert("RGB") for path in pictures]
     if target.suffix.lower() == ".gif":
         # viewers show no more than 50 pictures a second

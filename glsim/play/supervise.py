@@ -24,8 +24,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 GRACE = 1.5  # seconds that the supervisor has for what it is asked to do
-LAST_WORDS = 0.1  # seconds after SIGUSR2
-LOOK = 0.25  # seconds between two looks whether the caller lives
+STACK_SECONDS = 0.1  # seconds after SIGUSR2
+POLL_SECONDS = 0.25  # seconds between two looks whether the caller lives
 MARK = "GLSIM_RUN"  # variable of the environment that all processes of one run inherit
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36  # linux/prctl.h
 LINUX = sys.platform.startswith("linux")
@@ -64,23 +64,23 @@ def supervised(
         env=environment, stdout=stdout, pass_fds=[writing], start_new_session=True,
     )  # fmt: skip
     os.close(writing)
-    told: dict[str, Any] = {}
+    report: dict[str, Any] = {}
     began = time.monotonic()
     try:
-        told = _hear(reading, None if timeout is None else timeout + GRACE)
+        report = _read_report(reading, None if timeout is None else timeout + GRACE)
     finally:
-        if not told:
+        if not report:
             supervisor.terminate()
-            told = _hear(reading, GRACE)
+            report = _read_report(reading, GRACE)
         os.close(reading)
         end_family(supervisor.pid, mark)
         supervisor.kill()
         supervisor.wait()
     late = timeout is not None and time.monotonic() - began > timeout
-    return Outcome(told.get("code"), bool(told.get("timed_out", late)))
+    return Outcome(report.get("code"), bool(report.get("timed_out", late)))
 
 
-def _hear(pipe: int, seconds: float | None) -> dict[str, Any]:
+def _read_report(pipe: int, seconds: float | None) -> dict[str, Any]:
     """What the supervisor writes when the command has ended; {} if it says nothing within this time, or dies."""
     limit = None if seconds is None else time.monotonic() + seconds
     text = b""
@@ -92,10 +92,10 @@ def _hear(pipe: int, seconds: float | None) -> dict[str, Any]:
         if not part or len(text) > 1000:
             break
     try:
-        told = json.loads(text)
+        report = json.loads(text)
     except ValueError:
         return {}
-    return told if isinstance(told, dict) else {}
+    return report if isinstance(report, dict) else {}
 
 
 def _alone(
@@ -194,12 +194,12 @@ def main() -> None:
     timed_out = False
     while child.poll() is None and not asked and os.getppid() == caller and not timed_out:
         timed_out = limit is not None and time.monotonic() > limit
-        wait = LOOK if limit is None else min(LOOK, max(limit - time.monotonic(), 0.0))
+        wait = POLL_SECONDS if limit is None else min(POLL_SECONDS, max(limit - time.monotonic(), 0.0))
         if not timed_out and select.select([wake], [], [], wait)[0]:
             os.read(wake, 100)
     if timed_out:
         _signal(child.pid, signal.SIGUSR2)
-        time.sleep(LAST_WORDS)
+        time.sleep(STACK_SECONDS)
     if child.poll() is None:
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(child.pid, signal.SIGKILL)

@@ -21,7 +21,9 @@ BUFFERS = int(NAMES["GLUT_DOUBLE"] | NAMES["GLUT_DEPTH"] | NAMES["GLUT_STENCIL"]
 
 
 def adopt(loop: Loop, real_windows: bool) -> None:
-    """Replace those libraries' functions as soon as a program imports them."""
+    """Replace the window and time functions of pygame and glfw when the program imports them.
+
+    loop: the loop whose steps the swaps of buffers end.  real_windows: whether --window was given."""
     if not real_windows:
         os.environ["SDL_VIDEODRIVER"] = os.environ["SDL_AUDIODRIVER"] = "dummy"
         os.environ["PYGAME_HIDE_SUPPORT_PROMPT"] = "1"
@@ -33,7 +35,7 @@ def adopt(loop: Loop, real_windows: bool) -> None:
 
 
 class _Watcher:
-    """A finder that finds nothing itself: it changes some modules after others have loaded them."""
+    """An import finder that patches modules: once a module is loaded, its entry in ``changes`` is called with it."""
 
     def __init__(self, changes: dict[str, Callable[[Any], Any]]) -> None:
         self.changes = changes

@@ -51,13 +51,13 @@ class _Opened:
         self.take()
 
     def take(self) -> None:
-        """Let it belong to the calling thread, and be free when that ends."""
+        """Make the calling thread the owner; when that thread ends, the context has no owner."""
         self.place: weakref.ref[Place] = weakref.ref(here())
         self.farewell = weakref.finalize(here(), self._let_go, self.loader)
         self.farewell.atexit = False
 
     def is_free(self) -> bool:
-        """Whether it is of this thread, or of one that has ended."""
+        """Whether the calling thread may use it: it is the owner, or the owner has ended."""
         return self.place() in (None, here())
 
     @staticmethod
@@ -77,7 +77,7 @@ class _Opened:
                 self.loader.__exit__()
 
 
-_abandoned: list[_Opened] = []  # those that nobody holds any more and that are still to be released
+_abandoned: list[_Opened] = []  # contexts without a reference left, to be released at the next occasion
 
 
 def release_abandoned() -> None:
@@ -134,7 +134,9 @@ class Offscreen:
         return int(wanted)
 
     def _framebuffer(self, samples: int, probes: int = 0) -> moderngl.Framebuffer:
-        """Colour of 8 bits each, depth of 24 and stencil of 8 bits; and what shaders/probe.glsl writes, as floats."""
+        """A framebuffer with RGBA of 8 bits each, 24 bits of depth and 8 of stencil.
+
+        probes: number of further RGBA float32 attachments, for the outputs of shaders/probe.glsl."""
         size, raw = (self.width, self.height), self._raw
         colors = [self.ctx.renderbuffer(size, 4, samples=samples)]
         colors += [self.ctx.renderbuffer(size, 4, dtype="f4") for _ in range(probes)]
@@ -150,7 +152,7 @@ class Offscreen:
         return framebuffer
 
     def _clear(self, framebuffer: moderngl.Framebuffer) -> None:
-        """Black, transparent, far away."""
+        """Clear the whole framebuffer: colour (0, 0, 0, 0), depth 1, stencil 0."""
         framebuffer.use()
         raw = self._raw
         raw.glDisable(gl.GL_SCISSOR_TEST)
@@ -197,8 +199,9 @@ class Offscreen:
             _abandoned.append(self._opened)
 
     def check(self) -> None:
-        """Raise RuntimeError unless it can be drawn with in this thread: the one that made it, or any when that has
-        ended."""
+        """Raise RuntimeError if the context was released, or belongs to another thread that is alive.
+
+        If that thread has ended, the calling thread takes the context over."""
         refuse_fork()
         release_abandoned()
         if self._released:

@@ -136,7 +136,7 @@ class _BuiltIn:
     lights: Sequence[Lamp] = DEFAULT_LIGHTS
 
 
-# A lamp close to a face of the cube, which is brightest between its corners; and a weak light so that no side is black.
+# A point light close to a face, whose brightest spot lies away from the vertices; and a weak light for the other sides.
 NEAR_LAMP = (Lamp((-0.65, -0.3, -3.2, 1.0), 0.9), Lamp((1.0, 3.0, 3.0, 0.0), 0.4))
 
 BUILT_IN: dict[str, _BuiltIn] = {

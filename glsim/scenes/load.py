@@ -61,11 +61,11 @@ def convert(geometry: Any, name: str, centre: Any, radius: float) -> Mesh:
         )
     if not (area > 0.0).any():
         raise MeshError(f"{name}: all {len(triangles)} triangles are degenerate (they have no area)")
-    whole = area > 0.0
-    triangles = triangles[whole]
+    nondegenerate = area > 0.0
+    triangles = triangles[nondegenerate]
     colors = _colors(geometry)
     if colors is not None and len(colors) == len(geometry.faces) and len(colors) != len(positions):
-        colors = np.repeat(colors[whole], 3, axis=0)
+        colors = np.repeat(colors[nondegenerate], 3, axis=0)
         positions, triangles = (
             positions[triangles].reshape(-1, 3),
             np.arange(triangles.size, dtype=np.uint32).reshape(-1, 3),
@@ -96,7 +96,7 @@ def _colors(geometry: Any) -> Any:
 
 
 def _material(geometry: Any) -> Face | None:
-    """The file's material as the fixed function knows it.
+    """The file's material as k_a, k_d, k_s, emission and shininess n; None if the file has none.
 
     A physically based material keeps its base colour as k_d; its roughness r becomes the Blinn exponent
     n = 2 / r^4 - 2 (Walter et al. 2007, with alpha = r^2), at most 128.

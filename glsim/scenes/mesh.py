@@ -38,7 +38,7 @@ class Mesh:
 def grid(points: NDArray[Any], normals: NDArray[Any]) -> Mesh:
     """A sheet of quads over points (rows, columns, 3); a quad with a side of no length becomes a triangle.
 
-    The outside is where the rows run down and the columns to the right.
+    Seen from outside, rows follow each other downwards and columns to the right; quads are then counter-clockwise.
     """
     rows, columns = points.shape[:2]
     i, j = np.meshgrid(np.arange(rows - 1), np.arange(columns - 1), indexing="ij")

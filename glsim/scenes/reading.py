@@ -116,7 +116,7 @@ def limits() -> Iterator[None]:
 
 @contextmanager
 def memory_limit() -> Iterator[None]:
-    """Where the system tells how much this process has mapped (Linux)."""
+    """Raise MemoryError beyond MEMORY more bytes of address space; no limit where /proc is missing (not Linux)."""
     try:
         import resource
 

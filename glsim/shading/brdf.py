@@ -30,7 +30,7 @@ def frame(N: Float) -> tuple[Float, Float]:
 
 
 def around(N: Float, cosine: Float, phi: Float) -> Float:
-    """Unit vectors at an angle with this cosine from N, turned by phi (radians): (..., 3)."""
+    """Unit vectors (..., 3) at polar angle arccos(cosine) from N and azimuth phi (radians) about N; both (...)."""
     T, B = frame(N)
     sine = np.sqrt(np.maximum(1.0 - cosine * cosine, 0.0))[..., None]
     return cosine[..., None] * N + sine * (np.cos(phi)[..., None] * T + np.sin(phi)[..., None] * B)
@@ -45,7 +45,7 @@ class BRDF(ABC):
 
     @abstractmethod
     def sample(self, N: ArrayLike, V: ArrayLike, u: ArrayLike) -> Float:
-        """Directions L (..., 3) distributed about as f(L, V) is, for Monte Carlo; some may lie below the surface."""
+        """Directions L (..., 3) with the density ``pdf``, which follows the lobe of f; L may lie below the surface."""
 
     @abstractmethod
     def pdf(self, N: ArrayLike, L: ArrayLike, V: ArrayLike) -> Float:

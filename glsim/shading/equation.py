@@ -69,9 +69,9 @@ class Surface(NamedTuple):
 class Contribution(NamedTuple):
     """What one light adds, and the factors it is made of: vectors (..., 3), scalars (..., 1), terms (..., 3).
 
-    d: distance, infinite for a direction.  N: the normal, flipped if that is the policy.  H_or_R: the vector of the
-    highlight; cosine: N.H or R.V; power: cosine^n where N.L > 0, else 0.  ambient, diffuse, specular include
-    ``strength``, which is attenuation times spot.
+    d: distance, inf for a directional light.  N: the normal, flipped where ``flip`` is set and N.L < 0.  H_or_R: the
+    vector of the highlight; cosine: N.H or R.V; power: cosine^n where N.L > 0, else 0.  ambient, diffuse, specular: the
+    light's terms, multiplied by ``strength``, which is attenuation times spot.
     """
 
     L: Float
@@ -162,7 +162,7 @@ def illuminate(
     """Evaluate the equation at points P (..., 3) with unit normals N (..., 3), the eye at the origin.
 
     scene_ambient: I_a of the whole scene.  local_viewer: V = -P / |P|, else V = (0, 0, 1).  lobe: "blinn" for (N.H)^n,
-    "phong" for (R.V)^n.  flip: -N where N.L < 0, instead of no light there.  Raises ValueError for another lobe.
+    "phong" for (R.V)^n.  flip: where N.L < 0, use -N instead of N.  Raises ValueError for another lobe.
     """
     if lobe not in ("blinn", "phong"):
         raise ValueError(f'illuminate: lobe must be "blinn" or "phong", not {lobe!r}')

@@ -39,7 +39,7 @@ MODES = {
     "direct": "Direct illumination",
     "radiosity": "Radiosity",
 }
-BOUNCING = ("direct", "radiosity")
+RADIOSITY_MODES = ("direct", "radiosity")
 LOBES = {"blinn": "Blinn-Torrance  (N·H)^n", "phong": "Phong  (R·V)^n"}
 ROWS = {**LOBES, "diffuse": "Diffuse"}
 AMPLIFIED = 4
@@ -154,9 +154,10 @@ def compare(
     what: a function that draws with the gl commands, a Scene, the name of a built-in scene, the path of a mesh file,
         a trimesh.Trimesh, or the path of a GLUT program (.py), whose first picture is taken at its own size.
     modes: of "flat", "gouraud" (or "smooth"), "phong", "wireframe", "unlit", "native" (the driver's own fixed
-        function); and with light that comes from the scene's own surfaces, seen through camera number ``view`` of a
-        radiosity.Scene or whatever such can be made from: "direct" (illumination with soft shadows) and "radiosity",
-        solved with ``patches`` patches.  The other modes then show its lamps as OpenGL's lights (see radiosity.lit).
+        function); also "direct" (direct illumination with soft shadows) and "radiosity" (with interreflection, solved
+        with ``patches`` patches), where the light comes from the emitting surfaces of a radiosity.Scene, or of a scene
+        that glsim.radiosity.solve takes, seen through its camera number ``view``.  The other modes then approximate the
+        emitters by OpenGL lights (see radiosity.lit).
     lobes: "blinn" and/or "phong".  size: of each picture, in pixels.
     lights, material, camera: instead of the scene's own; not for a function, which sets its own.
     progress: called with what is being done, for work that takes long.
@@ -173,7 +174,7 @@ def compare(
             hint = did_you_mean(unknown[0], known) if unknown else ""
             raise ValueError(f"compare: {kind}s are {', '.join(known)}, not {', '.join(unknown) or 'none'}{hint}")
     tell = progress or (lambda words: None)
-    if _bounces(what) or not set(BOUNCING).isdisjoint(modes):
+    if _is_radiosity(what) or not set(RADIOSITY_MODES).isdisjoint(modes):
         if lights is not None or material is not None or camera is not None:
             raise ValueError("compare: with radiosity the scene has its own lamps, materials and cameras: use --view")
         return _compare_radiosity(what, tuple(modes), size, patches, view, tell)
@@ -205,8 +206,8 @@ def compare(
     return Comparison(title, tuple(modes), tuple(lobes), images)
 
 
-def _bounces(what: Any) -> bool:
-    """Whether it is a scene for radiosity, or the name of one and of nothing else."""
+def _is_radiosity(what: Any) -> bool:
+    """Whether ``what`` is a radiosity.Scene, or a name that only a built-in radiosity scene has."""
     from glsim import scenes
     from glsim.radiosity import scene
     from glsim.radiosity.scenes import BUILT_IN
@@ -219,7 +220,7 @@ def _bounces(what: Any) -> bool:
 def _compare_radiosity(
     what: Any, modes: tuple[str, ...], size: int, patches: int, view: int, tell: Callable[[str], object]
 ) -> Comparison:
-    """Light from the scene's own surfaces: by the fixed function's equation, directly with shadows, and bouncing."""
+    """Compare a radiosity scene: lit by OpenGL lights, by direct illumination with shadows, and by radiosity."""
     from glsim.radiosity import solve
     from glsim.radiosity.bake import toned
     from glsim.radiosity.lit import draw_lit
@@ -234,7 +235,7 @@ def _compare_radiosity(
             draw_lit(result, result.view(view), result.shown_white)
         for mode in modes:
             tell(f"drawing {MODES[mode]}")
-            if mode in BOUNCING:
+            if mode in RADIOSITY_MODES:
                 colors = result.colors(result.direct() if mode == "direct" else result.vertex_radiosity)
                 images["diffuse", mode] = np.asarray(result.picture(size, view, colors=colors, samples=samples))
             else:

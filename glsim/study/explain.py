@@ -22,7 +22,7 @@ LIGHTING = ("lighting",)
 
 @dataclass(frozen=True)
 class Origin:
-    """A call that set something.  through: the glCallList whose list it is in."""
+    """A call that set state.  through: "in the list of glCallList(...)" for a call in a display list, else ""."""
 
     call: int
     text: str
@@ -32,7 +32,7 @@ class Origin:
 
 @dataclass(frozen=True)
 class Setting:
-    """A constant or uniform.  origins: who set it last, empty for an initial value; note: what else is to be known."""
+    """A constant or uniform.  origins: the calls that set it last, () for an initial value; note: a remark or ""."""
 
     name: str
     value: str
@@ -65,8 +65,9 @@ class Explanation:
 def explain(what: Any, draw: int | None = None, **options: Any) -> list[Explanation]:
     """What each Draw's constants and uniforms are, and who set them.
 
-    what: a Frame captured with calls, or anything else that study.frames.frame_of takes, with its options.
-    draw: only this one.  Raises ValueError for a Draw that is not there, or a frame without calls.
+    what: a Frame captured with calls, or anything else that play.frames.frame_of takes, with its options.
+    draw: number of the only Draw to explain; None for all.  Raises ValueError for a number that no Draw has, or a frame
+    without recorded calls.
     """
     frame = frame_of(what, calls=True, **options)
     draws = list(frame.draws)
@@ -83,7 +84,7 @@ def explain(what: Any, draw: int | None = None, **options: Any) -> list[Explanat
     for step in History(frame).walk():
         for which in wanted.pop((step.number, step.trail), ()):
             found[which] = _Explainer(frame, draws[which], step.provenance).explanation(which, keys[which])
-        if not step.trail:  # a list made before the recording began is not followed inside
+        if not step.trail:  # Draws of a display list compiled before the recording: credit the glCallList
             for key in [key for key in wanted if key[0] == step.number]:
                 for which in wanted.pop(key):
                     found[which] = _Explainer(frame, draws[which], step.provenance).explanation(which, keys[which])
@@ -98,7 +99,7 @@ def program_keys(frame: Frame) -> list[ProgramKey]:
     for _, group in groupby(frame.packets, key=type):
         run = [packet.with_state(packet.state) for packet in group if isinstance(packet, Draw)]
         for draw in run:
-            draw.call = next(numbers)  # by which its parts are known
+            draw.call = next(numbers)  # a mark: the parts into which the renderer splits this Draw keep it
         for plan in plans(list(prepare(run)), MOST_OBJECTS)[1]:
             for batch in plan.batches:
                 key = draw_key(batch.draws[0], MOST_OBJECTS if plan.several(batch) else 1)
@@ -126,7 +127,7 @@ class _Explainer:
         return Origin(call, call_text(self.frame.calls[call]), self.frame.calls[call].where, listed)
 
     def _origins(self, *paths: Path) -> tuple[Origin, ...]:
-        """Who set these pieces of state, each call once, in order."""
+        """The calls that last set the state at or below these paths, each once, in the order of the program."""
         found = {}
         for path in paths:
             for known, call in self.provenance.setters.items():
@@ -135,7 +136,7 @@ class _Explainer:
         return tuple(found[call] for call in sorted(found))
 
     def _chain(self, calls: Iterable[int]) -> tuple[Origin, ...]:
-        """The calls of a product; those that one GLU function made are one."""
+        """The calls whose product a matrix is.  Calls that one GLU function made count as one, under its name."""
         result: list[Origin] = []
         for call in calls:
             origin = self._origin(call)
@@ -151,7 +152,7 @@ class _Explainer:
     # ------------------------------------------------------------ the key
 
     def _key(self, key: ProgramKey) -> Iterator[Setting]:
-        """The constants that matter, in the order of shaders/: what differs from the plainest program."""
+        """The constants of the GLSL program that apply to this Draw, in the order of shaders/."""
         lighting = self.draw.state.lighting
         shading = self._origins(("lighting", "shade_model"))
         yield Setting("SHADED", "flat" if key.flat else "smooth", shading)
@@ -249,7 +250,7 @@ class _Explainer:
                               "environment_color")  # fmt: skip
 
     def _color(self, key: ProgramKey) -> Setting:
-        """The current colour: of all vertices, if they agree."""
+        """The setting "color": the vertices' common colour and the last glColor, or "one for each vertex"."""
         block = self.draw.block
         rows = block.rows[self.draw.first : self.draw.first + self.draw.count, 6:10]
         one = self.draw.color is not None or bool((rows == rows[:1]).all())
@@ -287,7 +288,7 @@ class _Explainer:
         assert lighting.enabled
 
     def _placed(self, path: Path) -> str:
-        """In eye space by the modelview at the time of the call."""
+        """The note for a position: "in eye space", with the modelview at the call that set it, if that is known."""
         placed = self.provenance.placed.get(path)
         if placed is None:
             return "in eye space"

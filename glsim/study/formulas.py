@@ -117,7 +117,7 @@ def latex(probe: Probe) -> str:
 
 
 def _once(line: Line, atom: Callable[[str | float | Sequence[float]], str]) -> str:
-    """A line with one point of alignment, its first =."""
+    """A LaTeX line with one alignment mark "&": at its first "=", or at its beginning if it has none."""
     words = " ".join(map(atom, line)).replace("&=", "\0", 1).replace("&=", "=").replace("\0", "&=")
     return words if "&=" in words else "&" + words
 

@@ -1,7 +1,7 @@
 """A fragment on the CPU: lighting, texture environment, fog, tests and blending in float64, as shaders/ does them.
 
-Together with glsim.machine.stage this is the second witness of the whole pipeline; what only rasterisation and texture
-lookup can know (weights, depth, texels) comes from glsim.render.inspect.
+Together with glsim.machine.stage this is a second implementation of the pipeline, to check the GPU against.  The
+results of rasterisation and texture lookup (weights, depth, texels) are read from the GPU by glsim.render.inspect.
 """
 
 from __future__ import annotations
@@ -30,10 +30,13 @@ Float = NDArray[np.float64]
 class Shaded:
     """The colours of n fragments of a piece, and where they come from.
 
-    where: "fragment" if the equation ran at the fragments, "vertex" at all corners, "provoking" at the last one; it is
-    "none" without lighting.  stage: the m vertices that were used, corners: (n, k) numbers among them, weights: (n, k).
-    terms: the equation where it ran, for m vertices or n fragments; None without lighting.
-    N, P: (n, 3) in eye space.  primary: (n, 4), highlight: (n, 3), in [0, 1].
+    where: where the colour is computed: "fragment" (Phong), "vertex" (Gouraud) or "provoking" (flat, also without
+    lighting); "none" without lighting, if the vertices' colours are interpolated.
+    stage: the m vertices of the fragments' primitives.  corners: (n, k), for each fragment the numbers of its k corners
+    among these.  weights: (n, k), perspective-correct.
+    terms: the terms of the equation, for m vertices or n fragments; None without lighting.
+    N, P: normal and position of the fragments in eye space, (n, 3).
+    primary: colour RGBA (n, 4) in [0, 1].  highlight: separate specular colour (n, 3) in [0, 1].
     """
 
     where: str
@@ -47,7 +50,9 @@ class Shaded:
     highlight: Float
 
     def spread(self, values: Float) -> Float:
-        """What the equation gave where it ran -> the same for the fragments, as the shade model says: (n, c)."""
+        """Values at the places of ``where`` (m vertices or n fragments, c channels) -> values at the fragments, (n, c).
+
+        Phong: unchanged; flat: of the provoking vertex; else interpolated with the weights."""
         if self.where == "fragment":
             return values
         if self.where == "provoking":
@@ -61,7 +66,9 @@ def interpolated(values: Float, corners: NDArray[np.int64], weights: Float) -> F
 
 
 def shade(piece: Piece, primitives: NDArray[np.int64], weights: Float, back: bool) -> Shaded:
-    """The colours of fragments: of each the primitive (n,) and the weights of its corners (n, k).
+    """The colours of n fragments of a piece.
+
+    primitives: (n,) number of each fragment's primitive.  weights: (n, k) weights of its corners, perspective-correct.
 
     back: whether the fragments show the back side.
     """
@@ -101,7 +108,7 @@ def _with(place: Shaded, primary: Float, highlight: Float) -> Shaded:
 
 
 class Textured(NamedTuple):
-    """One texture unit's work: the texel, and the colour it leaves (4,)."""
+    """One texture unit: its texel (4,), and the fragment's colour (4,) after its texture environment."""
 
     unit: int
     environment: int
@@ -110,7 +117,9 @@ class Textured(NamedTuple):
 
 
 def textured(units: tuple[TextureUnit, ...], primary: Float, texels: Float) -> list[Textured]:
-    """What the units in use make of a fragment's colour (4,); texels: (4, 4) by unit."""
+    """Apply the enabled texture units, in order, to a fragment's colour ``primary`` (4,); one entry for each.
+
+    texels: (4, 4), the RGBA texel of each unit."""
     steps: list[Textured] = []
     color = primary
     for number, unit in enumerate(units):
@@ -183,7 +192,7 @@ def _combined(how: int, a: list[Float]) -> Float:
 
 
 def fog_factor(fog: Fog, z: float) -> float:
-    """How much of the fragment's colour is left at distance z, in [0, 1] (equations 3.24 to 3.26)."""
+    """The fog factor f in [0, 1] at eye distance z: C = f C_fragment + (1 - f) C_fog (equations 3.24 to 3.26)."""
     with np.errstate(all="ignore"):
         z, d, start, end = np.float64(z), np.float64(fog.density), np.float64(fog.start), np.float64(fog.end)
         factors = {
@@ -199,7 +208,7 @@ COMPARISONS: dict[int, Callable[[int, int], bool]] = {
     gl.GL_LEQUAL: lambda a, b: a <= b, gl.GL_GREATER: lambda a, b: a > b, gl.GL_NOTEQUAL: lambda a, b: a != b,
     gl.GL_GEQUAL: lambda a, b: a >= b, gl.GL_ALWAYS: lambda a, b: True,
 }  # fmt: skip
-WORDS: dict[int, str] = {
+COMPARISON_SIGNS: dict[int, str] = {
     gl.GL_NEVER: "never", gl.GL_LESS: "<", gl.GL_EQUAL: "=", gl.GL_LEQUAL: "<=", gl.GL_GREATER: ">",
     gl.GL_NOTEQUAL: "!=",
     gl.GL_GEQUAL: ">=", gl.GL_ALWAYS: "always",

@@ -23,8 +23,8 @@ from glsim.study.provenance import BEFORE, Path, Provenance
 from glsim.study.text import call_text
 
 Float = NDArray[np.float64]
-MOST = 3000  # primitives of a Draw that are looked at
-LARGE = 100  # triangles in which a highlight is looked for with care
+MAX_PRIMITIVES = 3000  # primitives of a Draw that are looked at
+LARGE = 100  # number of the largest triangles, which are sampled at steps of 1/8 instead of 1/3
 
 # kind -> what is said
 DIAGNOSES = {
@@ -102,8 +102,8 @@ class Detector:
         self.pushes: dict[int, list[int]] = {}  # by matrix mode
         self.clear: int | None = None  # the last glClear of the colour buffer
         self.depth_clear: int | None = None
-        self.flat_view = False  # after a gluLookAt without a side
-        self.stale: int | None = None  # a glClear before a Draw with the depth test, without the depth buffer
+        self.flat_view = False  # whether the last gluLookAt made a matrix with a zero axis
+        self.stale: int | None = None  # a glClear without the depth buffer, before a Draw with the depth test
 
     def _mistake(self, kind: str, number: int, **words: Any) -> Mistake:
         where = self.frame.calls[number].where if 0 <= number < len(self.frame.calls) else None
@@ -168,14 +168,20 @@ class Detector:
     # ------------------------------------------------------------ draws
 
     def draw(self, draw: Draw, provenance: Provenance, after: Moment) -> Iterator[Mistake]:
-        """after: what the program has set; the state of a Draw in a window without a buffer has no test."""
+        """Check one Draw.  after: the state that the program set; in ``draw.state`` the depth and stencil tests are off
+        where the window has no such buffer."""
         state, call = draw.state, draw.call or 0
         for kind in ("depth", "stencil"):
             if getattr(after.state, kind).test and not getattr(state, kind).test:
                 test, flag = f"GL_{kind.upper()}_TEST", f"GLUT_{kind.upper()}"
                 setter = provenance.setters.get((kind, "test"), call)
                 yield self._mistake("missing-buffer", setter, test=test, buffer=kind, flag=flag)
-        if state.depth.test and state.depth.func != gl.GL_ALWAYS and self.clear is not None and not self._together():
+        if (
+            state.depth.test
+            and state.depth.func != gl.GL_ALWAYS
+            and self.clear is not None
+            and not self._cleared_together()
+        ):
             self.stale = self.clear
         chosen = assembled(draw)
         if not state.lighting.enabled or not len(chosen):
@@ -191,7 +197,7 @@ class Detector:
                     yield self._mistake(kind, call, **numbers)
         yield from self._lights(draw, provenance)
 
-    def _together(self) -> bool:
+    def _cleared_together(self) -> bool:
         """Whether the depth buffer was cleared with, or a few lines from, the last glClear of colours."""
         if self.clear is None or self.depth_clear is None:
             return False
@@ -200,16 +206,16 @@ class Detector:
         return self.depth_clear >= self.clear or near
 
     def _without_normals(self, draw: Draw, chosen: NDArray[np.uint32], provenance: Provenance) -> bool:
-        """Whether all normals are the initial one, and the surface is not."""
+        """Whether all normals are the initial (0, 0, 1) without a glNormal, though some triangle faces elsewhere."""
         rows = draw.block.rows[np.unique(chosen), 3:6]
         if corners(draw.mode) != 3 or "glNormal" in provenance.registers or not (rows == (0.0, 0.0, 1.0)).all():
             return False
-        triangles = draw.block.rows[chosen.reshape(-1, 3)[:MOST], :3].astype(np.float64)
+        triangles = draw.block.rows[chosen.reshape(-1, 3)[:MAX_PRIMITIVES], :3].astype(np.float64)
         faces = normalize(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]))
         return bool(((np.abs(faces[:, 2]) < 0.99) & faces.any(axis=1)).any())
 
     def _perspective(self, draw: int, provenance: Provenance) -> Iterator[Mistake]:
-        """The modelview makes a w that is not 1: by the first gluPerspective or glFrustum in it, or another matrix."""
+        """The modelview is projective (w is not 1): name its first gluPerspective or glFrustum, else its last call."""
         chain = [call for call in provenance.chains["modelview"][-1] if call != BEFORE]
         named = [(_via(self.frame.calls[call]) or self.frame.calls[call].name, call) for call in chain]
         guilty = [(name, call) for name, call in named if name.startswith(("gluPerspective", "glFrustum"))]
@@ -217,22 +223,22 @@ class Detector:
         yield self._mistake("projection-in-modelview", call, call=name)
 
     def _lights(self, draw: Draw, provenance: Provenance) -> Iterator[Mistake]:
-        cameras = self._cameras(provenance.chains["modelview"][-1])
+        cameras = self._look_ats(provenance.chains["modelview"][-1])
         if not cameras:
             return
         lighting = draw.state.lighting
         for k, enabled in enumerate(lighting.light_enabled):
             path: Path = ("lighting", "lights", k, "position")
             setter, placed = provenance.setters.get(path, BEFORE), provenance.placed.get(path)
-            if not enabled or placed is None or setter == BEFORE or setter > cameras[0] or self._cameras(placed.chain):
+            if not enabled or placed is None or setter == BEFORE or setter > cameras[0] or self._look_ats(placed.chain):
                 continue
             x, y, z, w = lighting.lights[k].position
-            if x == y == 0.0 and (z == 0.0 or w == 0.0):  # a lamp at the eye is meant to be there
+            if x == y == 0.0 and (z == 0.0 or w == 0.0):  # a headlight, at the eye or along the view axis
                 continue
             camera = _via(self.frame.calls[cameras[0]]) + self._line(cameras[0])
             yield self._mistake("light-before-camera", setter, light=k, camera=camera)
 
-    def _cameras(self, chain: Sequence[int]) -> list[int]:
+    def _look_ats(self, chain: Sequence[int]) -> list[int]:
         """The calls of gluLookAt among those that make a matrix."""
         return [call for call in chain if call != BEFORE and _via(self.frame.calls[call]).startswith("gluLookAt")]
 
@@ -277,12 +283,12 @@ def _near(call: Call) -> float | None:
     return float(m[3, 2] / (m[2, 2] - 1.0)) if m[2, 2] != 1.0 else None
 
 
-Found = Iterator[tuple[str, dict[str, Any]]]
+Findings = Iterator[tuple[str, dict[str, Any]]]
 
 
-def _lengths(draw: Draw, chosen: NDArray[np.uint32]) -> Found:
+def _lengths(draw: Draw, chosen: NDArray[np.uint32]) -> Findings:
     """Normals in eye space that are not of unit length."""
-    numbers = np.unique(chosen[: 3 * MOST])
+    numbers = np.unique(chosen[: 3 * MAX_PRIMITIVES])
     normals = vertex_stage(draw, numbers, 0, colors=False).normal
     lengths = np.linalg.norm(normals, axis=1)
     wrong = np.abs(lengths - 1.0) > 0.02
@@ -297,15 +303,15 @@ def _lengths(draw: Draw, chosen: NDArray[np.uint32]) -> Found:
     yield kind, {"length": f"{np.median(lengths[wrong]):.3g}", "given": f"{given:.3g}"}
 
 
-def _lost_highlight(draw: Draw, chosen: NDArray[np.uint32]) -> Found:
-    """Gouraud shading whose highlight is much brighter inside a triangle than its vertices tell; of triangles with more
-    than 100 pixels."""
+def _lost_highlight(draw: Draw, chosen: NDArray[np.uint32]) -> Findings:
+    """Highlights that Gouraud shading loses: inside a triangle of more than 100 pixels the specular term at the
+    interpolated normal exceeds the interpolated specular terms of the vertices by at least 0.25."""
     lighting, face = draw.state.lighting, draw.material.front
     shiny = max(face.specular[:3]) > 0.0 and face.shininess >= 2.0
     if lighting.shade_model != gl.GL_SMOOTH or corners(draw.mode) != 3 or not shiny:
         return
     triangles = chosen.reshape(-1, 3)
-    numbers, places = np.unique(triangles[:: max(1, len(triangles) // MOST)], return_inverse=True)
+    numbers, places = np.unique(triangles[:: max(1, len(triangles) // MAX_PRIMITIVES)], return_inverse=True)
     stage = vertex_stage(draw, numbers, 0, colors=False)
     places = places.reshape(-1, 3)
     places = places[(stage.clip[places, 3] > 0.0).all(axis=1)]

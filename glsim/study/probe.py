@@ -21,7 +21,8 @@ class Vertex:
     """A corner of the primitive.  number: in the program's Draw, -1 if glsim made it; position: in object space; eye:
     in eye space; normal: in eye space, before it is turned round for a back side; window: pixels from the lower left
     and depth, NaN if the corner is behind the eye.  linear: weight on the screen, NaN if a corner is behind the eye;
-    hyperbolic: perspective-correct weight.  color: what the vertex brings, RGBA."""
+    hyperbolic: perspective-correct weight.  color: RGBA: the result of lighting in [0, 1] if the equation ran at the
+    vertices, else the vertex's current colour."""
 
     number: int
     position: Numbers
@@ -92,8 +93,10 @@ class Fragment:
     """One fragment at the pixel.
 
     packet: number in frame.packets; draw: among the Draws, -1 for a pixel rectangle; where: the call's line.
-    what: "triangle 5 of GL_QUADS"; shading: where the equation ran.  killed: the test it failed, "" if none.
-    before, after: the pixel's 8 bits in the picture; computed: the same as ``after``, by this evaluation.
+    what: such as "triangle 5 of GL_QUADS, quad 2".  shading: where the equation ran, in words.
+    killed: the test that the fragment failed, or "colour mask"; "" if it was written.
+    before, after: the pixel before and after the fragment, RGBA of 8 bits, from the GPU; computed: ``after`` as
+    evaluated on the CPU.
     """
 
     packet: int
@@ -118,7 +121,7 @@ class Fragment:
 
 @dataclass(frozen=True)
 class Event:
-    """What is no fragment: glClear, glAccum.  covers: whether what was there before is gone; after: the pixel then."""
+    """A glClear or glAccum.  covers: whether it overwrites the pixel's colour; after: the pixel then, 8-bit RGBA."""
 
     packet: int
     what: str
@@ -131,8 +134,8 @@ class Event:
 class Probe:
     """A pixel and all that happened to it.
 
-    x, y: from the upper left; height: of the picture.  pixel: in the picture, RGBA of 8 bits; computed: by the
-    equation, and equal within 1.
+    x, y: in pixels from the upper left.  height: of the picture.  pixel: its RGBA in the picture, 8 bits each.
+    computed: the winner's ``computed``; the same as ``pixel`` if there is no winner, or an event came after it.
     """
 
     x: int

@@ -1,8 +1,4 @@
-"""Following a pixel through a frame: which fragments came to it, what each was made of, what became of it.
-
-The GPU says which primitives cover the pixel and with which weights (glsim.render.inspect); the equation and what
-follows it are evaluated in NumPy (glsim.shading, glsim.study.fragments).
-"""
+"""``Prober`` follows a pixel through a Frame and fills the data of probe.py; ``probe`` does so for anything drawn."""
 
 from __future__ import annotations
 
@@ -21,8 +17,8 @@ from glsim.render.context import Offscreen, offscreen
 from glsim.render.inspect import Inspector, Piece, Sample, candidates
 from glsim.shading import Contribution, dot
 from glsim.study.fragments import (
+    COMPARISON_SIGNS,
     COMPARISONS,
-    WORDS,
     Shaded,
     blended,
     fog_factor,
@@ -108,7 +104,7 @@ class Prober:
             left, bottom = piece.pixels.origin
             color = piece.pixels.image[y - bottom, x - left].astype(np.float64)
             primary = color / 255.0 if piece.pixels.image.dtype == np.uint8 else color
-        steps, killed, computed = _afterwards(one, sample, primary, lit.highlight[0], before, depth, stencil)
+        steps, killed, computed = _after_lighting(one, sample, primary, lit.highlight[0], before, depth, stencil)
         rectangle = piece.pixels is not None
         what = (
             _name(packet) if rectangle else f"{KINDS[piece.corners]} {primitive} of {_mode(packet, piece, primitive)}"
@@ -281,7 +277,7 @@ def _light(number: int, source: Any, c: Contribution, row: int, vector: str) -> 
 # ---------------------------------------------------------------- after lighting
 
 
-def _afterwards(
+def _after_lighting(
     one: Piece,
     sample: Sample,
     primary: NDArray[np.float64],
@@ -337,7 +333,7 @@ def _tests(
     for name, func, mine, stored in checks:
         passed = COMPARISONS[func](mine, stored)
         scale = DEPTHS if name == "depth test" else 1
-        shown = f"{mine / scale:.7g} {WORDS[func]} {stored / scale:.7g}"
+        shown = f"{mine / scale:.7g} {COMPARISON_SIGNS[func]} {stored / scale:.7g}"
         steps.append(Step(name, shown if passed else f"{shown} is false", _floats(color), passed))
         if not passed:
             return name

@@ -1,8 +1,9 @@
 """Who set what: for each piece of state the call, with the user's line, that set it last.
 
 A path such as ("lighting", "lights", 0, "position") names a piece of state: fields of machine.state.Snapshot, or
-("material", "front", "diffuse").  Whether a call sets a path, even to the value it had, is found by running it again on
-a machine whose every piece of state is an object of its own: what is another object afterwards was set.
+("material", "front", "diffuse").  A call that sets a path to the value it already had sets it
+all the same.  To detect this, the call is repeated on a scratch machine in which each value is a distinct object: if
+another object stands at a path afterwards, the call has set this path.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ Path = tuple[str | int, ...]
 BEFORE = -1  # in place of a call: it was set before the recording began
 
 # Families that set pieces of a Snapshot or of the material from their arguments.
-SETTING = {
+SETTER_FAMILIES = {
     "glActiveTexture", "glAlphaFunc", "glBindTexture", "glBlendColor", "glBlendEquation", "glBlendFunc",
     "glBlendFuncSeparate", "glClearColor", "glClearDepth", "glClearStencil", "glClipPlane", "glColorMask",
     "glColorMaterial", "glCullFace", "glDepthFunc", "glDepthMask", "glDepthRange", "glDisable", "glDrawBuffer",
@@ -39,11 +40,14 @@ SETTING = {
     "glPolygonStipple", "glSampleCoverage", "glScissor", "glShadeModel", "glStencilFunc", "glStencilMask",
     "glStencilOp", "glTexEnv", "glTexGen", "glViewport",
 }  # fmt: skip
-MULTIPLYING = {"glMultMatrix", "glMultTransposeMatrix", "glTranslate", "glScale", "glRotate", "glFrustum", "glOrtho"}
-LOADING = {"glLoadIdentity", "glLoadMatrix", "glLoadTransposeMatrix"}
+MULTIPLY_FAMILIES = {
+    "glMultMatrix", "glMultTransposeMatrix", "glTranslate", "glScale", "glRotate", "glFrustum", "glOrtho",
+}  # fmt: skip
+LOAD_FAMILIES = {"glLoadIdentity", "glLoadMatrix", "glLoadTransposeMatrix"}
 CALLING = ("glCallList", "glCallLists")
-# what is done again to follow a display list: everything but drawing
-REPLAYED = SETTING | MULTIPLYING | LOADING | {"glPushMatrix", "glPopMatrix", "glPushAttrib", "glPopAttrib"}
+# families of calls that are repeated to follow a display list: all that change state, none that draw
+STACKS = {"glPushMatrix", "glPopMatrix", "glPushAttrib", "glPopAttrib"}
+REPLAYED = SETTER_FAMILIES | MULTIPLY_FAMILIES | LOAD_FAMILIES | STACKS
 
 
 class _Integer(int):
@@ -54,24 +58,24 @@ class _Float(float):
     pass
 
 
-def _own(value: Any) -> Any:
-    """An equal value made of objects that nobody else holds."""
+def _distinct_copy(value: Any) -> Any:
+    """A copy with equal values in which each number and tuple is a new object, so that ``is`` tells copies apart."""
     if hasattr(value, "_fields"):
-        return type(value)._make(map(_own, value))
+        return type(value)._make(map(_distinct_copy, value))
     if isinstance(value, tuple):
-        return tuple(map(_own, value)) if value and not _is_leaf(value) else (*value,)
+        return tuple(map(_distinct_copy, value)) if value and not _is_leaf(value) else (*value,)
     if isinstance(value, int):
         return _Integer(value)
     return _Float(value) if isinstance(value, float) else value
 
 
 def _is_leaf(value: tuple[Any, ...]) -> bool:
-    """Colours and positions are one piece of state; tuples of groups or of switches have a piece for each."""
+    """Whether a tuple is one piece of state (a colour, a position); each item of other tuples is a piece."""
     return isinstance(value[0], float) or (isinstance(value[0], int) and not isinstance(value[0], bool))
 
 
 def _paths(old: Any, new: Any, same: Any, path: Path = ()) -> Iterator[Path]:
-    """The pieces in which two states differ."""
+    """The paths at which two states differ; same: compares two leaves (operator.eq or operator.is_)."""
     if old is new:
         return
     if hasattr(old, "_fields"):
@@ -104,19 +108,19 @@ def value_at(state: Snapshot, material: Material, path: Path) -> Any:
     return value
 
 
-class _NoDevice:
+class _NullDevice:
     width = height = 1
 
 
 class _Scratch:
-    """Runs calls on machines of its own."""
+    """Repeats calls on machines without a device, apart from the machine of the program."""
 
     def __init__(self) -> None:
-        self.machine = Machine(_NoDevice())  # type: ignore[arg-type]
+        self.machine = Machine(_NullDevice())  # type: ignore[arg-type]
 
     def sets(self, call: Call, before: Moment) -> list[Path]:
         """The pieces of state that a call sets, also to the value they have."""
-        state, material = _own(before.state), _own(before.material)
+        state, material = _distinct_copy(before.state), _distinct_copy(before.material)
         m = self._load(self.machine, state, material)
         m.modelview[-1] = leaf(before.matrices[0].get())
         _run(m, call)
@@ -125,8 +129,8 @@ class _Scratch:
         return [*_paths(state, after, same), *_paths(material, m.material, same, ("material",))]
 
     def at(self, before: Moment) -> Machine:
-        """A machine in that state."""
-        m = self._load(Machine(_NoDevice()), before.state, before.material)  # type: ignore[arg-type]
+        """A new machine whose state, material and matrix stacks are those of ``before``."""
+        m = self._load(Machine(_NullDevice()), before.state, before.material)  # type: ignore[arg-type]
         stacks = (m.modelview, m.projection, *m.texture_stacks)
         for stack, matrix, depth in zip(stacks, before.matrices, before.depths, strict=True):
             stack[:] = [leaf(matrix.get())] * depth
@@ -142,7 +146,8 @@ class _Scratch:
 
 
 class Placed(NamedTuple):
-    """What was fixed in eye space by a call: the modelview then, (4, 4) column first, and the calls that made it."""
+    """How a call transformed its arguments into eye space: the modelview at that call, (4, 4), its columns as rows,
+    and the numbers of the calls whose product it is."""
 
     modelview: NDArray[np.float32]
     chain: tuple[int, ...]
@@ -150,12 +155,14 @@ class Placed(NamedTuple):
 
 @dataclass
 class Provenance:
-    """Who set what, as of one call.
+    """Which call set each piece of state last, at one point of the program.
 
-    setters: for each path the number of the call that set it last; a path that is not there has its initial value.
-    through: for paths set inside of a display list, the glCallList.  chains: for "modelview", "projection" and
-    "texture0" to "texture3" the stack of the calls whose product each matrix is.  placed: lights, spots and planes.
-    registers: for "glColor", "glNormal", ... the last call of that family.
+    setters: path -> number of the call that set it last; a path without an entry has its initial value.
+    through: path -> number of the glCallList, for a path that was set inside a display list.
+    chains: "modelview", "projection", "texture0" ... "texture3" -> the matrix stack, bottom first; each matrix is the
+    list of the calls whose product it is.
+    placed: path of a light position, spot direction, clip plane or eye plane -> how it came into eye space.
+    registers: "glColor", "glNormal", ... -> number of the last call of that family.
     """
 
     setters: dict[Path, int] = field(default_factory=dict)
@@ -166,8 +173,10 @@ class Provenance:
 
 
 class Step(NamedTuple):
-    """One call of the walk: the state before and after it, the paths it set, who set what by then, and if it is in a
-    display list that call ``number`` called, where."""
+    """One call of the walk: the state before and after it, the paths it set, and the provenance up to this call.
+
+    number: of the call; for a call inside a display list, of the glCallList that executes the list.  trail: its
+    position in the display lists, () for a call of the program itself."""
 
     number: int
     call: Call
@@ -193,7 +202,7 @@ class History:
         self.base = 0  # glListBase
 
     def walk(self) -> Iterator[Step]:
-        """Each call in turn.  The provenance is one object that goes on changing."""
+        """Yield a Step for each call, in order.  All share one Provenance object, which is updated at each call."""
         found = self.found
         first = self.frame.history[0]
         for name, matrix in zip(NAMES, first.matrices, strict=True):
@@ -232,7 +241,8 @@ class History:
             before = after
 
     def _called(self, number: int, call: Call, before: Moment, after: Moment) -> Generator[Step, None, list[Path]]:
-        """What a display list does, call by call; whatever that leaves unexplained is the work of the list."""
+        """Follow the called display lists call by call.  A change that none of their calls explains is credited to the
+        glCallList itself.  Yields a Step for each call in the lists; returns the paths whose values changed."""
         old = dict(self.found.setters)
         machine = self.scratch.at(before)
         for which in self._called_by(call):
@@ -275,7 +285,7 @@ class History:
             return []
         paths = changed(before, after) if after is not before else []
         family = COMMANDS[call.name].family
-        if family not in SETTING:
+        if family not in SETTER_FAMILIES:
             return paths
         return list(dict.fromkeys(paths + self.scratch.sets(call, before)))
 
@@ -312,14 +322,14 @@ class History:
             stack.append(list(stack[-1]))
         elif family == "glPopMatrix" and len(stack) > 1:
             stack.pop()
-        elif family in LOADING:
+        elif family in LOAD_FAMILIES:
             stack[-1] = [number]
-        elif family in MULTIPLYING:
+        elif family in MULTIPLY_FAMILIES:
             stack[-1] = [*stack[-1], number]
 
 
 def _run(machine: Machine, call: Call) -> None:
-    """Execute a call on a machine of its own; errors were the program's."""
+    """Execute a call on a scratch machine; errors are ignored, because the program has already got them."""
     current = current_machine()
     make_current(machine)
     try:
@@ -331,4 +341,4 @@ def _run(machine: Machine, call: Call) -> None:
 
 
 NAMES = ("modelview", "projection", "texture0", "texture1", "texture2", "texture3")
-INITIAL = Snapshot._make(getattr(Machine(_NoDevice()), name) for name in Snapshot._fields)  # type: ignore[arg-type]
+INITIAL = Snapshot._make(getattr(Machine(_NullDevice()), name) for name in Snapshot._fields)  # type: ignore[arg-type]

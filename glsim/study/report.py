@@ -67,7 +67,7 @@ def probe_report(probe: Probe) -> Group:
         if winner.evaluations:
             parts.append(f"at the pixel, in eye space:  P = {vector(winner.P)}   N = {vector(winner.N)}")
     parts += [_evaluation(evaluation) for evaluation in winner.evaluations]
-    parts.append(_afterwards(winner))
+    parts.append(_after_lighting(winner))
     return Group(*parts)
 
 
@@ -142,16 +142,16 @@ def _light_rows(row: Any, light: LightTerms) -> None:
     row("  specular", f"{f}k_s I_s ({of})^n, I_s = {vector(light.I_s)}", light.specular, end_section=True)
 
 
-def _afterwards(fragment: Fragment) -> Table:
+def _after_lighting(fragment: Fragment) -> Table:
     table = Table("step", "how", title="From there to the picture", title_justify="left")
     for channel in "RGBA":
         table.add_column(channel, justify="right")
-    ways = {
+    sources = {
         "flat": "the provoking vertex' own",
         "colours interpolated": "the vertices' colours times their hyperbolic weights",
         "Phong": "the fragment's own",
     }
-    words = next((text for key, text in ways.items() if key in fragment.shading), "")
+    words = next((text for key, text in sources.items() if key in fragment.shading), "")
     table.add_row("colour", words, *map(number, fragment.primary))
     for step in fragment.steps:
         table.add_row(step.name, step.formula, *map(number, step.color))

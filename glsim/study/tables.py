@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def explanations(all_of_them: Sequence[Explanation]) -> Iterator[Table]:
-    """The first draw whole; of the others what is not as in the draw before."""
+    """A table for each Draw: all settings of the first, and of each other those that differ from the Draw before."""
     known: dict[str, Setting] = {}
     for explanation in all_of_them:
         yield explained(explanation, known)

@@ -28,12 +28,14 @@ Float = NDArray[np.float64]
 class Terms:
     """Images of (height, width, ...), top row first, float64.
 
-    picture: what is seen, (height, width, 4) uint8.  summands: by name, (height, width, 3), not clamped: "emission",
-    "scene ambient", "light 0 ambient", "light 0 diffuse", "light 0 specular", ..., and "unlit" for what is drawn
-    without lighting.  Where several fragments were blended it is the last that counts; texture and fog come later.
-    normal: in eye space; N_L, cosine: by light, (height, width), cosine is N.H or R.V; depth: in [0, 1].
-    covered: where something was drawn; lit: with lighting; clamped: where clamping to [0, 1] changed the colour.
-    vector: "H" or "R", of the last lit Draw.  more: what comes after lighting: "texture", "fog", "blending".
+    picture: the rendered picture, (height, width, 4) uint8.  summands: name -> (height, width, 3), not clamped:
+    "emission", "scene ambient", "light 0 ambient", "light 0 diffuse", "light 0 specular", ..., and "unlit", the colour
+    of fragments without lighting.  Each pixel has the terms of the last fragment written, before texture.
+    normal: unit normals in eye space, (height, width, 3).  depth: (height, width) in [0, 1].
+    N_L, cosine: number of the light -> (height, width); cosine is N.H or R.V.
+    covered, lit, clamped: (height, width) bool: a fragment was drawn, it was lit, clamping to [0, 1] changed its sum.
+    vector: "H" or "R", the lobe of the lit pixels that were evaluated last.
+    more: the later stages that the frame uses and the terms leave out, of "texture", "fog" and "blending".
     """
 
     picture: NDArray[np.uint8]
@@ -89,7 +91,7 @@ class Terms:
 def terms(what: Any, **options: Any) -> Terms:
     """Take the picture of ``what`` apart.
 
-    what: a Frame (glsim.capture), or anything else that study.frames.frame_of takes, with its options.
+    what: a Frame (glsim.capture), or anything else that play.frames.frame_of takes, with its options.
     """
     from glsim.machine.current import current_machine, make_current
     from glsim.machine.machine import Machine
@@ -129,7 +131,7 @@ def taken_apart(survey: Survey, picture: NDArray[np.uint8]) -> Terms:
 
 
 def _more(survey: Survey) -> tuple[str, ...]:
-    """What the summands do not have."""
+    """The stages after lighting that some piece uses; the summands leave them out."""
     states = [piece.draw.state for piece in survey.pieces]
     found = {
         "texture": any(state.texture.in_use for state in states),
@@ -140,7 +142,7 @@ def _more(survey: Survey) -> tuple[str, ...]:
 
 
 def _add(result: Terms, at: Any, piece: Piece, lit: Shaded) -> None:
-    """Write the terms of some pixels."""
+    """Write the terms of one piece into the images.  at: index arrays (rows, columns) of its n pixels."""
 
     def put(images: dict[Any, Float], name: Any, values: Float) -> None:
         values = lit.spread(values) if lit.terms is not None else values
@@ -168,7 +170,7 @@ def _add(result: Terms, at: Any, piece: Piece, lit: Shaded) -> None:
 
 
 def terms_sheet(terms: Terms) -> Image.Image:
-    """A row for the whole picture, then one for each light."""
+    """The sheet: a row for the picture as a whole, a row for the terms without light, and a row for each light."""
     from glsim.pictures import BEHIND, NOTHING, heat, tiles
 
     covered = terms.covered

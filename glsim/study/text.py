@@ -35,7 +35,7 @@ def enum_name(value: Any) -> str:
     return repr(_ENUMS.get(value, value))
 
 
-# Smaller values are shared by many names.
+# value -> constant; values up to 255 are left out, because many constants share them
 _ENUMS = {int(value): value for value in reversed(vars(gl).values()) if isinstance(value, Enum) and value > 255}
 
 
@@ -63,7 +63,7 @@ def value_text(value: Any) -> str:
 
 
 def matrix_text(columns: Any) -> str:
-    """Row by row, as in mathematics."""
+    """A matrix as text, row by row as in mathematics, or "identity".  columns: (4, 4), its columns as rows."""
     if np.array_equal(columns, np.eye(4)):
         return "identity"
     return "[" + "; ".join(" ".join(f"{value:.4g}" for value in row) for row in np.asarray(columns).T) + "]"

@@ -12,7 +12,7 @@ from glsim.machine.record import REGISTERS_ONLY
 from glsim.machine.state import Lighting
 from glsim.play.frames import frame_of
 from glsim.study.mistakes import CHECKED, Detector, Mistake
-from glsim.study.provenance import LOADING, MULTIPLYING, NAMES, History, Step, value_at
+from glsim.study.provenance import LOAD_FAMILIES, MULTIPLY_FAMILIES, NAMES, History, Step, value_at
 from glsim.study.text import call_text, matrix_text, plain, value_text
 
 
@@ -61,7 +61,7 @@ class Trace:
 def trace(what: Any, **options: Any) -> Trace:
     """The calls of ``what`` and the mistakes in them.
 
-    what: a Frame captured with calls, or anything else that study.frames.frame_of takes, with its options.
+    what: a Frame captured with calls, or anything else that play.frames.frame_of takes, with its options.
     """
     frame = frame_of(what, calls=True, **options)
     return Trace(*_traced(frame))
@@ -107,7 +107,7 @@ class Colors:
 
     def __init__(self) -> None:
         self.new: list[int] = []  # glColor since the last draw
-        self.current: list[int] = []  # and the last one before
+        self.current: list[int] = []  # the glColor in effect at the last draw, if any
         self.lit: set[int] = set()
         self.seen: set[int] = set()
         self.runs: dict[int, list[int]] = {}  # the first call of an Entry -> the glColor in it
@@ -122,7 +122,7 @@ class Colors:
             self.runs.setdefault(self.first, []).append(number)
 
     def used(self, lighting: Lighting | None) -> None:
-        """The current colour was needed, under this lighting or under none."""
+        """A draw or glRasterPos uses the current colour.  lighting: its state; None where lighting does not apply."""
         used = self.new or self.current
         ignored = lighting is not None and lighting.enabled and not lighting.color_material
         (self.lit if ignored else self.seen).update(used)
@@ -173,7 +173,7 @@ def _entry(step: Step, drew: int) -> Entry:
         if old != new:
             changes.append((name, old, new))
     family = COMMANDS[call.name].family
-    sets = bool(step.paths) or family in LOADING or family in MULTIPLYING
+    sets = bool(step.paths) or family in LOAD_FAMILIES or family in MULTIPLY_FAMILIES
     glut = call.where is not None and call.where.via.startswith("glut")  # not the user's doing
     redundant = sets and not changes and not COMMANDS[call.name].result and not glut
     return Entry(step.number, call_text(call), call.where, tuple(changes), redundant, drew)
