@@ -81,12 +81,12 @@ def _kind(target: int) -> int:
 
 def bound(m: Machine, kind: int) -> Texture:
     """The texture object of this kind that the active unit is bound to."""
-    return m.textures[m.texture.unit.names[kind - 1], kind]
+    return m.objects.textures[m.texture.unit.names[kind - 1], kind]
 
 
 def change(m: Machine, name: int, texture: Texture) -> None:
     """The texture object ``name`` becomes ``texture``, in every unit where it is bound."""
-    m.textures[name, texture.kind] = texture
+    m.objects.textures[name, texture.kind] = texture
     at = texture.kind - 1
     for number, place in enumerate(m.texture.units):
         if place.names[at] == name:
@@ -98,7 +98,7 @@ def rebind(m: Machine) -> None:
     """After glPopAttrib: textures keep the images they have now, and get the parameters that were saved."""
     for number, place in enumerate(m.texture.units):
         for saved, name in zip(place.bound, place.names, strict=True):
-            now = m.textures.get((name, saved.kind))
+            now = m.objects.textures.get((name, saved.kind))
             if now is None:  # deleted meanwhile
                 m.texture = m.texture.with_unit(number, _with_binding(m.texture.units[number], saved.kind, 0, m))
             elif now is not saved:
@@ -109,7 +109,7 @@ def _with_binding(place: Any, kind: int, name: int, m: Machine) -> Any:
     at = kind - 1
     return place._replace(
         names=(*place.names[:at], name, *place.names[at + 1 :]),
-        bound=(*place.bound[:at], m.textures[name, kind], *place.bound[at + 1 :]),
+        bound=(*place.bound[:at], m.objects.textures[name, kind], *place.bound[at + 1 :]),
     )
 
 
@@ -120,10 +120,10 @@ def glGenTextures(m: Machine, n: int, textures: Any = None) -> Any:
     """As PyOpenGL: one name for n = 1, an array of names for more; or into ``textures``."""
 
     def used(name: int) -> bool:
-        return name in m.texture_names or any((name, kind) in m.textures for kind in TARGETS.values())
+        return name in m.objects.texture_names or any((name, kind) in m.objects.textures for kind in TARGETS.values())
 
     names = new_names(m, "textures", n, used)
-    m.texture_names |= set(names)
+    m.objects.texture_names |= set(names)
     return given_names(names, textures)
 
 
@@ -134,18 +134,18 @@ def new_names(m: Machine, what: str, n: int, used: Callable[[int], bool]) -> lis
     if n > MOST_NAMES:
         raise out_of_memory(f"{n} names are more than the {MOST_NAMES} that can be")
     names: list[int] = []
-    name = m.lowest.get(what, 1)
+    name = m.objects.lowest.get(what, 1)
     while len(names) < n:
         if not used(name):
             names.append(name)
         name += 1
-    m.lowest[what] = name
+    m.objects.lowest[what] = name
     return names
 
 
 def free_name(m: Machine, what: str, name: int) -> None:
     """The name can be given again."""
-    m.lowest[what] = min(m.lowest.get(what, 1), name)
+    m.objects.lowest[what] = min(m.objects.lowest.get(what, 1), name)
 
 
 def given_names(names: Sequence[int], array: Any) -> Any:
@@ -173,21 +173,21 @@ def glDeleteTextures(m: Machine, n: Any, textures: Any = None) -> None:
             for number, place in enumerate(m.texture.units):
                 if place.names[kind - 1] == name:
                     m.texture = m.texture.with_unit(number, _with_binding(place, kind, 0, m))
-            m.textures.pop((name, kind), None)
-        m.texture_names.discard(name)
+            m.objects.textures.pop((name, kind), None)
+        m.objects.texture_names.discard(name)
         free_name(m, "textures", name)
 
 
 def glIsTexture(m: Machine, texture: int) -> int:
-    return int(texture > 0 and any(name == texture for name, _ in m.textures))
+    return int(texture > 0 and any(name == texture for name, _ in m.objects.textures))
 
 
 def glBindTexture(m: Machine, target: int, texture: int) -> None:
     kind, name = _kind(target), int(texture)
     for other in TARGETS.values():
-        if name and other != kind and (name, other) in m.textures:
+        if name and other != kind and (name, other) in m.objects.textures:
             raise invalid_operation(f"texture {name} is {KIND_NAMES[other]}, not {KIND_NAMES[kind]}")
-    m.textures.setdefault((name, kind), Texture(kind))
+    m.objects.textures.setdefault((name, kind), Texture(kind))
     m.texture = m.texture.with_unit(m.texture.active_unit, _with_binding(m.texture.unit, kind, name, m))
 
 
@@ -207,7 +207,7 @@ def glPrioritizeTextures(m: Machine, n: int, textures: Any, priorities: Any) -> 
     """Sets GL_TEXTURE_PRIORITY, which has no effect."""
     for name, priority in zip(names_from(n, textures), numbers(priorities), strict=False):
         for kind in TARGETS.values():
-            texture = m.textures.get((name, kind))
+            texture = m.objects.textures.get((name, kind))
             if name and texture is not None:
                 change(m, name, replace(texture, sampler=replace(texture.sampler, priority=unit(priority))))
 
@@ -268,16 +268,16 @@ def _texels(m: Machine, internalformat: int, size: tuple[int, ...], format: int,
     if base == gl.GL_DEPTH_COMPONENT:
         if pixels is None:
             return np.zeros((*size, 1), np.float32)
-        return depths(m.pixel, unpack(m.unpack_store, size, format, type, pixels))
+        return depths(m.pixel, unpack(m.stores.unpack, size, format, type, pixels))
     if pixels is None:
         return np.zeros((*size, 4), np.uint8)
-    rgba = as_bytes(colors(m.pixel, format, unpack(m.unpack_store, size, format, type, pixels)))
+    rgba = as_bytes(colors(m.pixel, format, unpack(m.stores.unpack, size, format, type, pixels)))
     return in_base_format(rgba, base, 255)
 
 
 def _define(m: Machine, kind: int, face: int, level: int, image: Image) -> None:
     name = m.texture.unit.names[kind - 1]
-    texture = m.textures[name, kind]
+    texture = m.objects.textures[name, kind]
     images = {**texture.images.by_level, (face, level): image}
     if texture.sampler.generate_mipmap and level == texture.sampler.base_level and 0 not in image.size:
         images |= {(face, level + k): made for k, made in enumerate(mipmaps(image))}
@@ -313,7 +313,7 @@ def _proxy(
         image = Image(np.broadcast_to(np.uint8(0), (*size, 4)), internalformat)
     except GLError:
         image = Image(np.zeros((0,) * len(size) + (4,), np.uint8), internalformat)
-    m.textures[PROXY, kind] = Texture(kind, Images({(0, level): image}))
+    m.objects.textures[PROXY, kind] = Texture(kind, Images({(0, level): image}))
 
 
 def glTexImage1D(
@@ -565,7 +565,7 @@ def _level(m: Machine, target: int, level: int) -> tuple[int, Image | None]:
     """Kind and image of a level for glGetTex..., which take faces and proxies too."""
     if target in PROXIES:
         kind, face = PROXIES[target], 0
-        texture = m.textures.get((PROXY, kind), Texture(kind))
+        texture = m.objects.textures.get((PROXY, kind), Texture(kind))
     else:
         kind, face = _image_target(target, (1, 2, 3, CUBE))
         texture = bound(m, kind)

@@ -126,6 +126,6 @@ def _execute(calls: Sequence[AnyCall], clients: dict[int, dict[Any, Any]], first
     with driving(scratch):
         for position, (name, arguments) in enumerate(calls, first):
             if position in clients:
-                scratch.client = clients[position]
+                scratch.client.arrays = clients[position]
             implementations[name](*arguments)
     return scratch
