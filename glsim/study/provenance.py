@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Generator, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -20,7 +21,7 @@ from glsim.machine import constants
 from glsim.machine import constants as gl
 from glsim.machine.commands import COMMANDS
 from glsim.machine.constants import Enum
-from glsim.machine.current import current_machine, make_current
+from glsim.machine.current import driving
 from glsim.machine.errors import GLError
 from glsim.machine.frame import Call, Frame, Moment, Trail
 from glsim.machine.machine import MAX_LIST_NESTING, Machine
@@ -322,14 +323,9 @@ class History:
 
 def _run(machine: Machine, call: Call) -> None:
     """Execute a call on a machine of its own; errors were the program's."""
-    current = current_machine()
-    make_current(machine)
-    try:
+    errors = GLError, TypeError, ValueError, IndexError, KeyError, OverflowError, NotImplementedError
+    with driving(machine), suppress(*errors):
         implementations[call.name](*call.arguments)
-    except (GLError, TypeError, ValueError, IndexError, KeyError, OverflowError, NotImplementedError):
-        pass
-    finally:
-        make_current(current if isinstance(current, Machine) else None)
 
 
 BUFFER_BITS = (gl.GL_COLOR_BUFFER_BIT, gl.GL_DEPTH_BUFFER_BIT, gl.GL_STENCIL_BUFFER_BIT, gl.GL_ACCUM_BUFFER_BIT)
