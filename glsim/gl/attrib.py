@@ -9,11 +9,11 @@ from glsim.gl.enable import CAPS, SERIES, series, switch
 from glsim.gl.texture import rebind
 from glsim.machine import constants as gl
 from glsim.machine.errors import stack_overflow, stack_underflow
-from glsim.machine.machine import ATTRIB_STACK_DEPTH, Machine
+from glsim.machine.machine import ATTRIB_STACK_DEPTH, REGISTERS, Machine
 
 # bit of glPushAttrib -> attributes of a Machine that it saves
 GROUPS: dict[int, tuple[str, ...]] = {
-    gl.GL_CURRENT_BIT: ("nx", "ny", "nz", "red", "green", "blue", "alpha", "index", "current", "raster"),
+    gl.GL_CURRENT_BIT: (*REGISTERS, "index", "current", "raster"),
     gl.GL_POINT_BIT: ("point",),
     gl.GL_LINE_BIT: ("line",),
     gl.GL_POLYGON_BIT: ("polygon",),

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine import constants as gl
-from glsim.machine.assembly import complete, corners, counterclockwise, outlines
+from glsim.machine.assembly import corners, counterclockwise, outlines, primitives
 from glsim.machine.clipping import BOUNDARY, INTERIOR, VIEW_PLANES, clipped, edge_kinds
 from glsim.machine.clipping import distances as clip_distances
 from glsim.machine.errors import (
@@ -278,17 +278,12 @@ class Primitive(NamedTuple):
 def _shapes(draw: Draw) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
     """Vertex numbers of the primitives (n, k), and of their provoking vertices (n,)."""
     count = draw.count if draw.indices is None else len(draw.indices)
-    kind, whole = corners(draw.mode), complete(draw.mode, count)
-    i = np.arange(whole, dtype=np.uint32)
+    kind = corners(draw.mode)
     if kind == 3:
         shapes, provoking = outlines(draw.mode, count)
-    elif kind == 1:
-        shapes, provoking = i[:, None], i
     else:
-        shapes = i.reshape(-1, 2) if draw.mode == gl.GL_LINES else np.stack([i[:-1], i[1:]], axis=1)
-        if draw.mode == gl.GL_LINE_LOOP and whole:
-            shapes = np.concatenate([shapes, [[whole - 1, 0]]]).astype(np.uint32)
-        provoking = shapes[:, 1]
+        shapes = primitives(draw.mode, count, None, last=True).reshape(-1, kind)
+        provoking = shapes[:, -1]
     numbers = (np.arange(count, dtype=np.uint32) if draw.indices is None else draw.indices) + np.uint32(draw.first)
     return numbers[shapes], numbers[provoking]
 

@@ -58,6 +58,10 @@ MOST_NAMES = 1 << 20  # of display lists or textures that one call may ask for
 STACK_DEPTH: dict[int, int] = {GL_MODELVIEW: 64, GL_PROJECTION: 32, GL_TEXTURE: 32}
 
 
+# Current values that glVertex writes beside the position.
+REGISTERS = ("nx", "ny", "nz", "red", "green", "blue", "alpha")
+
+
 class Device(Protocol):
     """What the machine needs of whatever draws its frames."""
 
