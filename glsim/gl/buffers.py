@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.gl.texture import free_name, given_names, names_from, new_names
+from glsim.gl.naming import free_name, given_names, names_from, new_names
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Query, QueryMark, Vertices

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from glsim.gl.texture import free_name
+from glsim.gl.naming import free_name
 from glsim.machine import constants as gl
 from glsim.machine.commands import COMMANDS
 from glsim.machine.errors import GLError, invalid_enum, invalid_operation, invalid_value, out_of_memory
