@@ -202,7 +202,13 @@ def outcome(screen: glsim.Offscreen, name: str, arguments: tuple[Any, ...]) -> t
     machine = screen.machine
     registers = [float(plain(getattr(machine, r))) for r in ("nx", "ny", "nz", "red", "green", "blue", "alpha")]
     matrices = [stack[-1].get().tolist() for stack in machine.stacks.values()]
-    client = machine.unpack_store, machine.array_buffer, machine.client_unit, machine.list_base, machine.accum_clear
+    client = (
+        machine.stores.unpack,
+        machine.client.array_buffer,
+        machine.client.unit,
+        machine.list_base,
+        machine.accum_clear,
+    )
     return result, registers, matrices, client, machine.snapshot(), machine.current, machine.raster, machine.pixel
 
 

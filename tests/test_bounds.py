@@ -216,7 +216,7 @@ def test_names_are_given_without_looking_at_all_of_them(
     screen: glsim.Offscreen, monkeypatch: pytest.MonkeyPatch, gen: Any, delete: Any
 ) -> None:
     assert [int(gen(1)) for _ in range(3000)] == list(range(1, 3001))
-    assert all(lowest in (1, 3001) for lowest in screen.machine.lowest.values())  # where the search begins
+    assert all(lowest in (1, 3001) for lowest in screen.machine.objects.lowest.values())  # where the search begins
     delete([7, 9])
     assert gen(3).tolist() == [7, 9, 3001]
     assert int(gen(1)) == 3002

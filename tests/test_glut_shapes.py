@@ -12,6 +12,7 @@ import glsim
 from glsim.gl import *
 from glsim.glut import shapes
 from glsim.glut.shapes import *
+from glsim.glut.teaset import *
 
 # call, arguments, primitives, vertices, and moments of the vertices and of the normals that freeglut hands to OpenGL
 FREEGLUT: list[tuple[str, tuple[Any, ...], int, int, float, float]] = [
@@ -61,8 +62,8 @@ def geometry(monkeypatch: pytest.MonkeyPatch) -> Callable[..., shapes.Geometry]:
     def of(name: str, *arguments: Any) -> shapes.Geometry:
         drawn: list[shapes.Geometry] = []
         with monkeypatch.context() as patch:
-            patch.setattr(shapes, "_draw", drawn.append)
-            getattr(shapes, name)(*arguments)
+            patch.setattr(shapes, "draw_geometry", drawn.append)
+            globals()[name](*arguments)
         return drawn[0]
 
     return of

@@ -38,6 +38,7 @@ from glsim.gl import (
     rasterpos,
     select,
     texenv,
+    teximage,
     texture,
     vertex,
 )
@@ -60,8 +61,8 @@ GLdouble_3, GLdouble_4, GLdouble_16 = GLdouble * 3, GLdouble * 4, GLdouble * 16
 
 
 _TOPICS = (
-    vertex, arrays, buffers, evaluators, matrix, light, raster, rasterpos, fragment, pixels, select, texture, texenv,
-    enable, attrib, lists, query,
+    vertex, arrays, buffers, evaluators, matrix, light, raster, rasterpos, fragment, pixels, select, texture, teximage,
+    texenv, enable, attrib, lists, query,
 )  # fmt: skip
 _BODIES = {
     name: body

@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 from glsim.machine.commands import COMMANDS
 from glsim.machine.current import current_machine
 from glsim.machine.errors import show
+from glsim.machine.machine import REGISTERS
 from glsim.machine.record import implementations, python_arguments
 from glsim.machine.sentences import MISUSE, explain
 from glsim.machine.types import plain, raw_bytes
-
-REGISTERS = ("nx", "ny", "nz", "red", "green", "blue", "alpha")
 
 
 def again(error: Exception, name: str, arguments: tuple[Any, ...]) -> Any:

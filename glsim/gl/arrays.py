@@ -71,12 +71,12 @@ def _set_pointer(m: Machine, array: int, pointer: Pointer, sizes: tuple[int, ...
         raise invalid_enum("type", pointer.type, words)
     if pointer.stride < 0:
         raise invalid_value("stride", pointer.stride, "at least 0")
-    if m.array_buffer:
-        pointer = pointer._replace(data=None, buffer=m.array_buffer, offset=offset_from(pointer.data))
+    if m.client.array_buffer:
+        pointer = pointer._replace(data=None, buffer=m.client.array_buffer, offset=offset_from(pointer.data))
     elif pointer.data is not None:
         pointer = pointer._replace(data=array_from(pointer.data, DTYPES[pointer.type], "pointer"))
     key = array_key(m, array)
-    m.client[key] = client(m, key)._replace(pointer=pointer)
+    m.client.arrays[key] = client(m, key)._replace(pointer=pointer)
 
 
 def offset_from(value: Any) -> int:
@@ -87,11 +87,11 @@ def offset_from(value: Any) -> int:
 
 def array_key(m: Machine, array: int) -> Any:
     """Under what a vertex array is kept: each texture unit has its own texture coordinates."""
-    return (array, m.client_unit) if array == gl.GL_TEXTURE_COORD_ARRAY and m.client_unit else array
+    return (array, m.client.unit) if array == gl.GL_TEXTURE_COORD_ARRAY and m.client.unit else array
 
 
 def client(m: Machine, key: Any) -> Client:
-    return m.client.get(key) or (Client(pointer=Pointer(3)) if key == gl.GL_SECONDARY_COLOR_ARRAY else Client())
+    return m.client.arrays.get(key) or (Client(pointer=Pointer(3)) if key == gl.GL_SECONDARY_COLOR_ARRAY else Client())
 
 
 def glVertexPointer(m: Machine, size: int, type: int, stride: int, pointer: Any) -> None:
@@ -130,7 +130,7 @@ def _set_client_state(m: Machine, array: int, enabled: bool) -> None:
     if array not in ARRAYS:
         raise invalid_enum("array", array, "GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY or another vertex array")
     key = array_key(m, array)
-    m.client[key] = client(m, key)._replace(enabled=enabled)
+    m.client.arrays[key] = client(m, key)._replace(enabled=enabled)
 
 
 def glEnableClientState(m: Machine, array: int) -> None:
@@ -142,7 +142,7 @@ def glDisableClientState(m: Machine, array: int) -> None:
 
 
 def glClientActiveTexture(m: Machine, texture: int) -> None:
-    m.client_unit = unit_number(texture)
+    m.client.unit = unit_number(texture)
 
 
 # format of glInterleavedArrays: texture coordinates, colour size and type, normal?, vertex size (table 2.5)
@@ -172,8 +172,8 @@ def glInterleavedArrays(m: Machine, format: int, stride: int, pointer: Any) -> N
     if stride < 0:
         raise invalid_value("stride", stride, "at least 0")
     texture, color, color_type, normal, vertex = layout
-    data = None if m.array_buffer else array_from(pointer, np.float32, "pointer").view(np.uint8)
-    start, offset = offset_from(pointer) if m.array_buffer else 0, 0
+    data = None if m.client.array_buffer else array_from(pointer, np.float32, "pointer").view(np.uint8)
+    start, offset = offset_from(pointer) if m.client.array_buffer else 0, 0
     parts = (
         (gl.GL_TEXTURE_COORD_ARRAY, texture, gl.GL_FLOAT),
         (gl.GL_COLOR_ARRAY, color, color_type),
@@ -185,12 +185,14 @@ def glInterleavedArrays(m: Machine, format: int, stride: int, pointer: Any) -> N
         key = array_key(m, array)
         if size:
             memory = None if data is None else data[offset:]
-            m.client[key] = Client(True, Pointer(size, kind, stride or total, memory, m.array_buffer, start + offset))
+            m.client.arrays[key] = Client(
+                True, Pointer(size, kind, stride or total, memory, m.client.array_buffer, start + offset)
+            )
             offset += _bytes(size, kind)
         else:
-            m.client[key] = client(m, key)._replace(enabled=False)
+            m.client.arrays[key] = client(m, key)._replace(enabled=False)
     for array in (gl.GL_INDEX_ARRAY, gl.GL_EDGE_FLAG_ARRAY):
-        m.client[array] = client(m, array)._replace(enabled=False)
+        m.client.arrays[array] = client(m, array)._replace(enabled=False)
 
 
 def _bytes(size: int, kind: int) -> int:
@@ -203,7 +205,7 @@ def elements(m: Machine, pointer: Pointer, first: int, count: int) -> NDArray[An
     width = pointer.size * dtype.itemsize
     stride = pointer.stride or width
     if pointer.buffer:
-        memory: NDArray[np.uint8] = m.buffers[pointer.buffer].data[max(pointer.offset, 0) :]
+        memory: NDArray[np.uint8] = m.objects.buffers[pointer.buffer].data[max(pointer.offset, 0) :]
     else:
         memory = pointer.data.view(np.uint8)
     end = (first + count - 1) * stride + width
@@ -266,7 +268,7 @@ def gather(m: Machine, first: int, count: int) -> tuple[NDArray[np.float32], Col
 
 
 def _usable(m: Machine, array: Client) -> bool:
-    there = array.pointer.data is not None or m.buffers.get(array.pointer.buffer) is not None
+    there = array.pointer.data is not None or m.objects.buffers.get(array.pointer.buffer) is not None
     return array.enabled and there
 
 
@@ -291,7 +293,7 @@ def _add(m: Machine, mode: int, first: int, count: int, indices: Any) -> None:
         if found is not None:
             m.add_draw(mode, *found, indices)
         return
-    kept = m.buffers[key[0]].vertices
+    kept = m.objects.buffers[key[0]].vertices
     if key not in kept:
         found = gather(m, first, count)
         assert found is not None
@@ -308,13 +310,13 @@ MOST_KEPT = 64
 def _buffers_key(m: Machine, first: int, count: int) -> tuple[Any, ...] | None:
     """What the vertices follow from if they come from buffer objects alone: as long as it stays the same, the GPU
     can keep them.  It begins with the buffer of the positions."""
-    vertex = m.client.get(gl.GL_VERTEX_ARRAY)
-    if vertex is None or not vertex.enabled or m.buffers.get(vertex.pointer.buffer) is None:
+    vertex = m.client.arrays.get(gl.GL_VERTEX_ARRAY)
+    if vertex is None or not vertex.enabled or m.objects.buffers.get(vertex.pointer.buffer) is None:
         return None
     parts: list[Any] = [vertex.pointer.buffer, first, count]
-    for array, state in m.client.items():
+    for array, state in m.client.arrays.items():
         if state.enabled:
-            buffer = m.buffers.get(state.pointer.buffer)
+            buffer = m.objects.buffers.get(state.pointer.buffer)
             if buffer is None or buffer.mapped:
                 return None
             parts += [array, state.pointer, buffer.version]
@@ -338,9 +340,9 @@ def glDrawElements(m: Machine, mode: int, count: int, type: int, indices: Any) -
         raise invalid_enum("type", type, "GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT")
     dtype = DTYPES[type]
     numbers: NDArray[Any]
-    if m.element_buffer and not isinstance(indices, bytes):  # bytes: from a display list
+    if m.client.element_buffer and not isinstance(indices, bytes):  # bytes: from a display list
         start, size = offset_from(indices), count * np.dtype(dtype).itemsize
-        numbers = np.frombuffer(m.buffers[m.element_buffer].data[start : start + size].tobytes(), dtype)
+        numbers = np.frombuffer(m.objects.buffers[m.client.element_buffer].data[start : start + size].tobytes(), dtype)
     else:
         numbers = array_from(_checked(indices, dtype), dtype, "indices").view(dtype)
     if numbers.size < count:

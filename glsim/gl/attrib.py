@@ -5,17 +5,15 @@ The groups of state are immutable, so pushing is keeping references and popping 
 
 from __future__ import annotations
 
-from copy import copy
-
 from glsim.gl.enable import CAPS, SERIES, series, switch
 from glsim.gl.texture import rebind
 from glsim.machine import constants as gl
 from glsim.machine.errors import stack_overflow, stack_underflow
-from glsim.machine.machine import ATTRIB_STACK_DEPTH, Machine
+from glsim.machine.machine import ATTRIB_STACK_DEPTH, REGISTERS, Machine
 
 # bit of glPushAttrib -> attributes of a Machine that it saves
 GROUPS: dict[int, tuple[str, ...]] = {
-    gl.GL_CURRENT_BIT: ("nx", "ny", "nz", "red", "green", "blue", "alpha", "index", "current", "raster"),
+    gl.GL_CURRENT_BIT: (*REGISTERS, "index", "current", "raster"),
     gl.GL_POINT_BIT: ("point",),
     gl.GL_LINE_BIT: ("line",),
     gl.GL_POLYGON_BIT: ("polygon",),
@@ -79,17 +77,15 @@ def glPopAttrib(m: Machine) -> None:
     m.stack = m.stacks[m.transform.matrix_mode]
 
 
-CLIENT: dict[int, tuple[str, ...]] = {
-    gl.GL_CLIENT_PIXEL_STORE_BIT: ("unpack_store", "pack_store"),
-    gl.GL_CLIENT_VERTEX_ARRAY_BIT: ("client", "client_unit", "array_buffer", "element_buffer"),
-}
+# bit of glPushClientAttrib -> attribute of a Machine that it saves
+CLIENT_GROUPS: dict[int, str] = {gl.GL_CLIENT_PIXEL_STORE_BIT: "stores", gl.GL_CLIENT_VERTEX_ARRAY_BIT: "client"}
 
 
 def glPushClientAttrib(m: Machine, mask: int) -> None:
     if len(m.client_attrib_stack) >= ATTRIB_STACK_DEPTH:
         raise stack_overflow("the client attribute stack is full: is a glPopClientAttrib missing?")
-    names = [name for bit, group in CLIENT.items() if mask & bit for name in group]
-    m.client_attrib_stack.append({name: copy(getattr(m, name)) for name in names})
+    names = [name for bit, name in CLIENT_GROUPS.items() if mask & bit]
+    m.client_attrib_stack.append({name: getattr(m, name).copy() for name in names})
 
 
 def glPopClientAttrib(m: Machine) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.gl.texture import free_name, given_names, names_from, new_names
+from glsim.gl.naming import free_name, given_names, names_from, new_names
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Query, QueryMark, Vertices
@@ -41,17 +41,17 @@ class Buffer:
 def _bound(m: Machine, target: int) -> Buffer:
     if target not in FIELDS:
         raise invalid_enum("target", target, "GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER")
-    name = getattr(m, FIELDS[target])
+    name = getattr(m.client, FIELDS[target])
     if not name:
         raise invalid_operation("no buffer is bound to this target: call glBindBuffer first")
-    buffer: Buffer = m.buffers[name]
+    buffer: Buffer = m.objects.buffers[name]
     return buffer
 
 
 def glGenBuffers(m: Machine, n: int, buffers: Any = None) -> Any:
     """As PyOpenGL: one name for n = 1, an array of names for more; or into ``buffers``."""
-    names = new_names(m, "buffers", n, m.buffers.__contains__)
-    m.buffers.update(dict.fromkeys(names))
+    names = new_names(m, "buffers", n, m.objects.buffers.__contains__)
+    m.objects.buffers.update(dict.fromkeys(names))
     return given_names(names, buffers)
 
 
@@ -59,9 +59,9 @@ def glBindBuffer(m: Machine, target: int, buffer: int) -> None:
     if target not in FIELDS:
         raise invalid_enum("target", target, "GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER")
     name = int(buffer or 0)
-    if name and m.buffers.get(name) is None:
-        m.buffers[name] = Buffer()
-    setattr(m, FIELDS[target], name)
+    if name and m.objects.buffers.get(name) is None:
+        m.objects.buffers[name] = Buffer()
+    setattr(m.client, FIELDS[target], name)
 
 
 def glDeleteBuffers(m: Machine, n: Any, buffers: Any = None) -> None:
@@ -69,14 +69,14 @@ def glDeleteBuffers(m: Machine, n: Any, buffers: Any = None) -> None:
     for name in names_from(n, buffers):
         if name > 0:
             free_name(m, "buffers", name)
-        if m.buffers.pop(name, None) is not None:
+        if m.objects.buffers.pop(name, None) is not None:
             for field in FIELDS.values():
-                if getattr(m, field) == name:
-                    setattr(m, field, 0)
+                if getattr(m.client, field) == name:
+                    setattr(m.client, field, 0)
 
 
 def glIsBuffer(m: Machine, buffer: int) -> int:
-    return int(m.buffers.get(int(buffer)) is not None)
+    return int(m.objects.buffers.get(int(buffer)) is not None)
 
 
 def _bytes(data: Any, length: int | None = None) -> NDArray[np.uint8]:
@@ -186,28 +186,28 @@ def glGetBufferPointerv(m: Machine, target: int, pname: int) -> int | None:
 
 # ---------------------------------------------------------------- occlusion queries
 
-ACTIVE = 0  # the key in m.queries of the name that is being counted
+ACTIVE = 0  # the key in m.objects.queries of the name that is being counted
 
 
 def glGenQueries(m: Machine, n: int, ids: Any = None) -> Any:
     """As PyOpenGL: one name for n = 1, an array of names for more; or into ``ids``."""
-    names = new_names(m, "queries", n, m.queries.__contains__)
-    m.queries.update(dict.fromkeys(names))
+    names = new_names(m, "queries", n, m.objects.queries.__contains__)
+    m.objects.queries.update(dict.fromkeys(names))
     return given_names(names, ids)
 
 
 def glDeleteQueries(m: Machine, n: Any, ids: Any = None) -> None:
     """glDeleteQueries(n, names), or glDeleteQueries(names)."""
     for name in names_from(n, ids):
-        if name == m.queries.get(ACTIVE):
+        if name == m.objects.queries.get(ACTIVE):
             glEndQuery(m, gl.GL_SAMPLES_PASSED)
         if name > 0:
-            m.queries.pop(name, None)
+            m.objects.queries.pop(name, None)
             free_name(m, "queries", name)
 
 
 def glIsQuery(m: Machine, id: int) -> int:
-    return int(id > 0 and m.queries.get(id) is not None)
+    return int(id > 0 and m.objects.queries.get(id) is not None)
 
 
 def _check_target(target: int) -> None:
@@ -218,22 +218,22 @@ def _check_target(target: int) -> None:
 def glBeginQuery(m: Machine, target: int, id: int) -> None:
     """Count the samples that pass the depth test until glEndQuery."""
     _check_target(target)
-    if m.queries.get(ACTIVE):
-        raise invalid_operation(f"query {m.queries[ACTIVE]} has no glEndQuery yet")
+    if m.objects.queries.get(ACTIVE):
+        raise invalid_operation(f"query {m.objects.queries[ACTIVE]} has no glEndQuery yet")
     if id <= 0:
         raise invalid_operation("id must be a name from glGenQueries, not 0")
-    m.queries[int(id)] = Query()
-    m.queries[ACTIVE] = int(id)
-    m.add(QueryMark(True, m.queries[int(id)]))
+    m.objects.queries[int(id)] = Query()
+    m.objects.queries[ACTIVE] = int(id)
+    m.add(QueryMark(True, m.objects.queries[int(id)]))
 
 
 def glEndQuery(m: Machine, target: int) -> None:
     _check_target(target)
-    active = m.queries.get(ACTIVE)
+    active = m.objects.queries.get(ACTIVE)
     if not active:
         raise invalid_operation("there is no glBeginQuery before this glEndQuery")
-    m.add(QueryMark(False, m.queries[active]))
-    m.queries[ACTIVE] = 0
+    m.add(QueryMark(False, m.objects.queries[active]))
+    m.objects.queries[ACTIVE] = 0
 
 
 def glGetQuery(m: Machine, target: int, pname: int) -> tuple[float, ...]:
@@ -241,13 +241,13 @@ def glGetQuery(m: Machine, target: int, pname: int) -> tuple[float, ...]:
     if pname == gl.GL_QUERY_COUNTER_BITS:
         return (32.0,)
     if pname == gl.GL_CURRENT_QUERY:
-        return (float(m.queries.get(ACTIVE) or 0),)
+        return (float(m.objects.queries.get(ACTIVE) or 0),)
     raise invalid_enum("pname", pname, "GL_CURRENT_QUERY or GL_QUERY_COUNTER_BITS")
 
 
 def glGetQueryObject(m: Machine, id: int, pname: int) -> tuple[float, ...]:
-    query = m.queries.get(id) if id > 0 else None
-    if query is None or m.queries.get(ACTIVE) == id:
+    query = m.objects.queries.get(id) if id > 0 else None
+    if query is None or m.objects.queries.get(ACTIVE) == id:
         raise invalid_operation(f"{id} is no query that has ended")
     if pname not in (gl.GL_QUERY_RESULT, gl.GL_QUERY_RESULT_AVAILABLE):
         raise invalid_enum("pname", pname, "GL_QUERY_RESULT or GL_QUERY_RESULT_AVAILABLE")

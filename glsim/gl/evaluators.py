@@ -82,7 +82,7 @@ def glMap1f(m: Machine, target: int, u1: float, u2: float, stride: Any, order: A
     _check("u1 and u2", u1, u2, stride, order, k)
     _check_unit(m)
     index = np.arange(order)[:, None] * int(stride) + np.arange(k)
-    m.maps[target] = Map(_taken(points, index), (float(u1), float(u2)))
+    m.objects.maps[target] = Map(_taken(points, index), (float(u1), float(u2)))
 
 
 glMap1d = glMap1f  # noqa: N816
@@ -110,7 +110,7 @@ def glMap2f(
     _check("v1 and v2", v1, v2, vstride, vorder, k)
     _check_unit(m)
     u, v = np.arange(uorder)[:, None, None] * int(ustride), np.arange(vorder)[:, None] * int(vstride)
-    m.maps[target] = Map(_taken(points, u + v + np.arange(k)), (float(u1), float(u2), float(v1), float(v2)))
+    m.objects.maps[target] = Map(_taken(points, u + v + np.arange(k)), (float(u1), float(u2), float(v1), float(v2)))
 
 
 glMap2d = glMap2f  # noqa: N816
@@ -179,7 +179,7 @@ def evaluate(
     dimensions = len(places)
     enabled = m.evaluators.enabled_1 if dimensions == 1 else m.evaluators.enabled_2
     first = int(gl.GL_MAP1_COLOR_4 if dimensions == 1 else gl.GL_MAP2_COLOR_4)
-    maps = {what: m.maps.get(first + what, _default(what, dimensions)) for what in range(9) if enabled[what]}
+    maps = {what: m.objects.maps.get(first + what, _default(what, dimensions)) for what in range(9) if enabled[what]}
     vertex = maps.get(VERTEX_4, maps.get(VERTEX_3))
     if vertex is None:
         return None
@@ -325,7 +325,7 @@ def _strips(nu: int, nv: int, quads: bool) -> NDArray[np.uint32]:
 def glGetMap(m: Machine, target: int, query: int) -> tuple[float, ...]:
     dimensions = 1 if 0 <= target - gl.GL_MAP1_COLOR_4 < 9 else 2
     what = _what(target, dimensions)
-    map: Map = m.maps.get(target, _default(what, dimensions))
+    map: Map = m.objects.maps.get(target, _default(what, dimensions))
     if query == gl.GL_COEFF:
         return tuple(float(number) for number in map.points.ravel())
     if query == gl.GL_ORDER:

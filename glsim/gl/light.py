@@ -13,7 +13,7 @@ from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.frame import ROW_BYTES
 from glsim.machine.machine import Machine
 from glsim.machine.matrix import transform, transform_direction
-from glsim.machine.state import MAX_LIGHTS, Color, Face, Light, Material
+from glsim.machine.state import MAX_LIGHTS, TRACKED, Color, Face, Light, Material
 
 FACES = "GL_FRONT, GL_BACK or GL_FRONT_AND_BACK"
 LIGHT_COLORS: dict[int, str] = {gl.GL_AMBIENT: "ambient", gl.GL_DIFFUSE: "diffuse", gl.GL_SPECULAR: "specular"}
@@ -104,7 +104,7 @@ def current_material(m: Machine) -> Material:
 def glColorMaterial(m: Machine, face: int, mode: int) -> None:
     if face not in (gl.GL_FRONT, gl.GL_BACK, gl.GL_FRONT_AND_BACK):
         raise invalid_enum("face", face, FACES)
-    if mode not in CHANGES or mode == gl.GL_SHININESS:
+    if mode not in TRACKED:
         raise invalid_enum("mode", mode, "GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR or GL_EMISSION")
     m.material = current_material(m)  # what was tracked until now stays
     m.lighting = m.lighting._replace(color_material_face=face, color_material_mode=mode)

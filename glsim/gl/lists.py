@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from glsim.gl.texture import free_name
+from glsim.gl.naming import free_name
 from glsim.machine import constants as gl
 from glsim.machine.commands import COMMANDS
 from glsim.machine.errors import GLError, invalid_enum, invalid_operation, invalid_value, out_of_memory
@@ -50,7 +50,7 @@ def glEndList(m: Machine) -> None:
     if m.compiling is None:
         raise invalid_operation("there is no glNewList before this glEndList")
     recorder, m.compiling = m.compiling, None
-    m.lists[recorder.number] = compile_list(recorder)
+    m.objects.lists[recorder.number] = compile_list(recorder)
     m.record(recorder.outer)
 
 
@@ -84,11 +84,11 @@ def _compiled(recorder: ListRecorder, first: int, end: int) -> list[Item]:
 
 def glCallList(m: Machine, n: int) -> None:
     """A list that does not exist is ignored, as is what lies deeper than GL_MAX_LIST_NESTING."""
-    items = m.lists.get(int(n))
+    items = m.objects.lists.get(int(n))
     if items is None or m.nesting >= MAX_LIST_NESTING:
         return
     m.nesting += 1
-    store, m.unpack_store = m.unpack_store, PixelStore()
+    store, m.stores.unpack = m.stores.unpack, PixelStore()
     try:
         for position, item in items:
             drawn = len(m.packets)
@@ -97,12 +97,12 @@ def glCallList(m: Machine, n: int) -> None:
             elif type(item) is Call:
                 implementations[item.name](*item.arguments)
             elif type(item) is Unpacking:
-                m.unpack_store = item.store
+                m.stores.unpack = item.store
                 implementations[item.call.name](*item.call.arguments)
-                m.unpack_store = PixelStore()
+                m.stores.unpack = PixelStore()
             else:
                 raise invalid_operation(f"list {n} begins a primitive of its own")
-            if m.capturing is not None:
+            if m.outlet.frame is not None:
                 for packet in m.packets[drawn:]:
                     if type(packet) is Draw:
                         packet.trail = ((n, position), *packet.trail)
@@ -110,7 +110,7 @@ def glCallList(m: Machine, n: int) -> None:
             m.relieve()
     finally:
         m.nesting -= 1
-        m.unpack_store = store
+        m.stores.unpack = store
 
 
 LIST_TYPES: dict[int, str] = {
@@ -161,25 +161,25 @@ def glGenLists(m: Machine, s: int) -> int:
         raise out_of_memory(f"{s} display lists are more than the {MOST_NAMES} that can be")
     if s == 0:
         return 0
-    first = name = m.lowest.get("lists", 1)
+    first = name = m.objects.lowest.get("lists", 1)
     while name < first + s:
-        if name in m.lists:
+        if name in m.objects.lists:
             first = name + 1
         name += 1
-    if first == m.lowest.get("lists", 1):
-        m.lowest["lists"] = first + s
-    m.lists.update({number: [] for number in range(first, first + s)})
+    if first == m.objects.lowest.get("lists", 1):
+        m.objects.lowest["lists"] = first + s
+    m.objects.lists.update({number: [] for number in range(first, first + s)})
     return first
 
 
 def glDeleteLists(m: Machine, list: int, range: int) -> None:
     if range < 0:
         raise invalid_value("range", range, "at least 0")
-    few = builtins.range(list, list + range) if range < len(m.lists) else m.lists
-    for number in [number for number in few if number in m.lists and list <= number < list + range]:
-        del m.lists[number]
+    few = builtins.range(list, list + range) if range < len(m.objects.lists) else m.objects.lists
+    for number in [number for number in few if number in m.objects.lists and list <= number < list + range]:
+        del m.objects.lists[number]
         free_name(m, "lists", number)
 
 
 def glIsList(m: Machine, list: int) -> int:
-    return int(int(list) in m.lists)
+    return int(int(list) in m.objects.lists)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from glsim.gl.arguments import numbers
-from glsim.gl.texture import deliver
+from glsim.gl.teximage import deliver
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Pixels
@@ -49,12 +49,12 @@ def glPixelStore(m: Machine, pname: int, param: float) -> None:
         raise invalid_value("param", param, "1, 2, 4 or 8")
     if value < 0:
         raise invalid_value("param", param, "at least 0")
-    store = m.unpack_store if fields is UNPACK_FIELDS else m.pack_store
+    store = m.stores.unpack if fields is UNPACK_FIELDS else m.stores.pack
     store = store._replace(**{field: value})
     if fields is UNPACK_FIELDS:
-        m.unpack_store = store
+        m.stores.unpack = store
     else:
-        m.pack_store = store
+        m.stores.pack = store
 
 
 SCALES: dict[int, int] = {gl.GL_RED_SCALE: 0, gl.GL_GREEN_SCALE: 1, gl.GL_BLUE_SCALE: 2, gl.GL_ALPHA_SCALE: 3}
@@ -175,7 +175,7 @@ def glDrawPixels(m: Machine, width: int, height: int, format: int, type: int, pi
         raise ValueError("pixels is None: pass bytes or an array")
     if not m.raster.valid:
         return
-    values = unpack(m.unpack_store, (int(height), int(width)), format, type, pixels)
+    values = unpack(m.stores.unpack, (int(height), int(width)), format, type, pixels)
     if format == gl.GL_STENCIL_INDEX:
         _add(m, "stencil", stencils(m.pixel, values), None)
     elif format == gl.GL_DEPTH_COMPONENT:
@@ -205,7 +205,7 @@ def glBitmap(
     if not raster.valid:
         return
     if bitmap is not None and width and height:
-        bits = unpack(m.unpack_store, (int(height), int(width)), gl.GL_COLOR_INDEX, gl.GL_BITMAP, bitmap)
+        bits = unpack(m.stores.unpack, (int(height), int(width)), gl.GL_COLOR_INDEX, gl.GL_BITMAP, bitmap)
         at = raster._replace(x=float(np.floor(raster.x + 1e-4 - xorig)), y=float(np.floor(raster.y + 1e-4 - yorig)))
         m.add(Pixels("bitmap", bits, None, at, m.pixel, m.snapshot()), bits.nbytes)
     m.raster = raster._replace(x=raster.x + xmove, y=raster.y + ymove)
@@ -269,5 +269,5 @@ def glReadPixels(
     if not (view.flags.c_contiguous and view.flags.writeable) or isinstance(array, (list, tuple, bytes)):
         raise TypeError("array must be a writable NumPy array or bytearray")
     if values.size:
-        pack_into(m.pack_store, values, view.reshape(-1).view(np.uint8))
+        pack_into(m.stores.pack, values, view.reshape(-1).view(np.uint8))
     return array

@@ -13,7 +13,7 @@ from glsim.gl.evaluators import MAX_EVAL_ORDER
 from glsim.gl.fragment import HINTS
 from glsim.gl.pixels import BIASES, MAX_PIXEL_MAP_TABLE, SCALES
 from glsim.gl.raster import LARGEST_LINE, LARGEST_POINT
-from glsim.gl.select import MAX_NAME_STACK_DEPTH, render_mode
+from glsim.gl.select import MAX_NAME_STACK_DEPTH
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.machine import ATTRIB_STACK_DEPTH, MAX_LIST_NESTING, STACK_DEPTH, Machine
@@ -95,12 +95,12 @@ GETTERS: dict[int, Getter] = {
     gl.GL_SAMPLES: lambda m: m.device.describe().get("samples", 0),
     gl.GL_SAMPLE_BUFFERS: lambda m: int(m.device.describe().get("samples", 0) > 0),
     gl.GL_LIST_INDEX: lambda m: 0,
-    gl.GL_RENDER_MODE: render_mode,
-    gl.GL_NAME_STACK_DEPTH: lambda m: len(m.selection.names) if m.selection else 0,
+    gl.GL_RENDER_MODE: lambda m: m.rendering.mode,
+    gl.GL_NAME_STACK_DEPTH: lambda m: len(m.rendering.selection.names) if m.rendering.selection else 0,
     gl.GL_MAX_NAME_STACK_DEPTH: lambda m: MAX_NAME_STACK_DEPTH,
-    gl.GL_SELECTION_BUFFER_SIZE: lambda m: len(m.selection.buffer) if m.selection else 0,
-    gl.GL_FEEDBACK_BUFFER_SIZE: lambda m: len(m.feedback.buffer) if m.feedback else 0,
-    gl.GL_FEEDBACK_BUFFER_TYPE: lambda m: m.feedback.type if m.feedback else gl.GL_2D,
+    gl.GL_SELECTION_BUFFER_SIZE: lambda m: len(m.rendering.selection.buffer) if m.rendering.selection else 0,
+    gl.GL_FEEDBACK_BUFFER_SIZE: lambda m: len(m.rendering.feedback.buffer) if m.rendering.feedback else 0,
+    gl.GL_FEEDBACK_BUFFER_TYPE: lambda m: m.rendering.feedback.type if m.rendering.feedback else gl.GL_2D,
     gl.GL_MAX_TEXTURE_UNITS: lambda m: TEXTURE_UNITS,
     gl.GL_CURRENT_RASTER_POSITION: lambda m: (m.raster.x, m.raster.y, m.raster.z, m.raster.w),
     gl.GL_CURRENT_RASTER_POSITION_VALID: lambda m: m.raster.valid,
@@ -132,8 +132,8 @@ GETTERS: dict[int, Getter] = {
     gl.GL_MAP2_GRID_DOMAIN: lambda m: (*m.evaluators.grid_2[1:3], *m.evaluators.grid_2[4:]),
     gl.GL_MAP2_GRID_SEGMENTS: lambda m: (m.evaluators.grid_2[0], m.evaluators.grid_2[3]),
     gl.GL_MAX_EVAL_ORDER: lambda m: MAX_EVAL_ORDER,
-    gl.GL_ARRAY_BUFFER_BINDING: lambda m: m.array_buffer,
-    gl.GL_ELEMENT_ARRAY_BUFFER_BINDING: lambda m: m.element_buffer,
+    gl.GL_ARRAY_BUFFER_BINDING: lambda m: m.client.array_buffer,
+    gl.GL_ELEMENT_ARRAY_BUFFER_BINDING: lambda m: m.client.element_buffer,
     gl.GL_TEXTURE_BINDING_3D: lambda m: m.texture.unit.names[2],
     gl.GL_TEXTURE_BINDING_CUBE_MAP: lambda m: m.texture.unit.names[3],
     gl.GL_MAX_3D_TEXTURE_SIZE: lambda m: MAX_3D_TEXTURE_SIZE,
@@ -167,7 +167,7 @@ GETTERS: dict[int, Getter] = {
     gl.GL_TEXTURE_BINDING_2D: lambda m: m.texture.unit.names[1],
     gl.GL_MAX_TEXTURE_SIZE: lambda m: MAX_TEXTURE_SIZE,
     gl.GL_ACTIVE_TEXTURE: lambda m: gl.GL_TEXTURE0 + m.texture.active_unit,
-    gl.GL_CLIENT_ACTIVE_TEXTURE: lambda m: gl.GL_TEXTURE0 + m.client_unit,
+    gl.GL_CLIENT_ACTIVE_TEXTURE: lambda m: gl.GL_TEXTURE0 + m.client.unit,
     gl.GL_FOG_COLOR: lambda m: m.fog.color,
     gl.GL_FOG_MODE: lambda m: m.fog.mode,
     gl.GL_FOG_DENSITY: lambda m: m.fog.density,
@@ -236,9 +236,9 @@ def _lookup(m: Machine, pname: int) -> Any:
     if pname in CAPS or pname in UNIT_CAPS or pname in ARRAYS or series(pname):
         return glIsEnabled(m, pname)
     if pname in UNPACK_FIELDS:
-        return getattr(m.unpack_store, UNPACK_FIELDS[pname])
+        return getattr(m.stores.unpack, UNPACK_FIELDS[pname])
     if pname in PACK_FIELDS:
-        return getattr(m.pack_store, PACK_FIELDS[pname])
+        return getattr(m.stores.pack, PACK_FIELDS[pname])
     if pname - GL_MAP_SIZES in range(len(SIZED_MAPS)):
         return len(m.pixel.map(SIZED_MAPS[pname - GL_MAP_SIZES]))
     if pname in HINTS:
@@ -302,9 +302,9 @@ def glGetPointerv(m: Machine, pname: int) -> Any:
         pointer = client(m, array_key(m, POINTERS[pname])).pointer
         return pointer.offset if pointer.buffer else pointer.data
     if pname == gl.GL_SELECTION_BUFFER_POINTER:
-        return m.selection.buffer if m.selection else None
+        return m.rendering.selection.buffer if m.rendering.selection else None
     if pname == gl.GL_FEEDBACK_BUFFER_POINTER:
-        return m.feedback.buffer if m.feedback else None
+        return m.rendering.feedback.buffer if m.rendering.feedback else None
     raise invalid_enum("pname", pname, "a pointer such as GL_VERTEX_ARRAY_POINTER")
 
 

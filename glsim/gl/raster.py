@@ -84,7 +84,7 @@ def glPolygonStipple(m: Machine, mask: Any) -> None:
     """mask: a bitmap of 32 x 32 pixels, rows from the bottom, or PyOpenGL's (32, 32) array of ones and zeros."""
     bits = np.asarray(numbers(mask)) if raw_bytes(mask) is None and np.size(mask) == 1024 else None
     if bits is None:
-        bits = unpack(m.unpack_store, (32, 32), gl.GL_COLOR_INDEX, gl.GL_BITMAP, mask)
+        bits = unpack(m.stores.unpack, (32, 32), gl.GL_COLOR_INDEX, gl.GL_BITMAP, mask)
     rows = np.packbits(bits.reshape(32, 32) != 0, axis=1).view(">u4").ravel().tolist()
     m.polygon_stipple = m.polygon_stipple._replace(rows=tuple(rows))
 

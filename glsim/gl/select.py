@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine import constants as gl
-from glsim.machine.assembly import complete, corners, counterclockwise, outlines
+from glsim.machine.assembly import corners, counterclockwise, outlines, primitives
 from glsim.machine.clipping import BOUNDARY, INTERIOR, VIEW_PLANES, clipped, edge_kinds
 from glsim.machine.clipping import distances as clip_distances
 from glsim.machine.errors import (
@@ -128,18 +128,12 @@ class Feedback:
 # ---------------------------------------------------------------- commands
 
 
-def render_mode(m: Machine) -> int:
-    if m.collector is None:
-        return gl.GL_RENDER
-    return gl.GL_SELECT if m.collector.__name__ == "_select" else gl.GL_FEEDBACK
-
-
 def glSelectBuffer(m: Machine, size: int, buffer: Any = None) -> Any:
     """Make, or use, the array of uint32 that hit records are written into; it is returned."""
-    if m.collector is not None:
+    if m.rendering.mode != gl.GL_RENDER:
         raise invalid_operation("not allowed in selection or feedback mode")
-    m.selection = Selection(_buffer(size, buffer, np.uint32))
-    return m.selection.buffer
+    m.rendering.selection = Selection(_buffer(size, buffer, np.uint32))
+    return m.rendering.selection.buffer
 
 
 def _buffer(size: int, buffer: Any, dtype: type) -> Any:
@@ -160,12 +154,12 @@ FEEDBACK_TYPES = (gl.GL_2D, gl.GL_3D, gl.GL_3D_COLOR, gl.GL_3D_COLOR_TEXTURE, gl
 
 def glFeedbackBuffer(m: Machine, size: int, type: int, buffer: Any = None) -> Any:
     """Make, or use, the array of float32 that feedback is written into; it is returned."""
-    if m.collector is not None:
+    if m.rendering.mode != gl.GL_RENDER:
         raise invalid_operation("not allowed in selection or feedback mode")
     if type not in FEEDBACK_TYPES:
         raise invalid_enum("type", type, "GL_2D, GL_3D, GL_3D_COLOR, GL_3D_COLOR_TEXTURE or GL_4D_COLOR_TEXTURE")
-    m.feedback = Feedback(_buffer(size, buffer, np.float32), type)
-    return m.feedback.buffer
+    m.rendering.feedback = Feedback(_buffer(size, buffer, np.float32), type)
+    return m.rendering.feedback.buffer
 
 
 def glRenderMode(m: Machine, mode: int) -> Any:
@@ -173,14 +167,16 @@ def glRenderMode(m: Machine, mode: int) -> Any:
     (token, FeedbackVertex, ...) for each primitive.  Raises GL_STACK_OVERFLOW if the buffer was too small."""
     if mode not in (gl.GL_RENDER, gl.GL_SELECT, gl.GL_FEEDBACK):
         raise invalid_enum("mode", mode, "GL_RENDER, GL_SELECT or GL_FEEDBACK")
-    if (mode == gl.GL_SELECT and m.selection is None) or (mode == gl.GL_FEEDBACK and m.feedback is None):
+    if (mode == gl.GL_SELECT and m.rendering.selection is None) or (
+        mode == gl.GL_FEEDBACK and m.rendering.feedback is None
+    ):
         name = "glSelectBuffer" if mode == gl.GL_SELECT else "glFeedbackBuffer"
         raise invalid_operation(f"call {name} first, so that there is room for what is found")
     m.flush()
-    before, result = render_mode(m), 0
+    before, result = m.rendering.mode, 0
     if before == gl.GL_SELECT:
-        m.selection.close()
-    selection, feedback = m.selection, m.feedback
+        m.rendering.selection.close()
+    selection, feedback = m.rendering.selection, m.rendering.feedback
     _enter(m, mode)
     if before == gl.GL_SELECT:
         if selection.overflow:
@@ -194,33 +190,33 @@ def glRenderMode(m: Machine, mode: int) -> Any:
 
 
 def _enter(m: Machine, mode: int) -> None:
+    """Begin a render mode: what is flushed from now on goes to a new Selection or Feedback, or to the device."""
+    m.rendering.mode, m.outlet.collector = mode, None
     if mode == gl.GL_SELECT:
-        selection = m.selection = Selection(m.selection.buffer)
+        selection = m.rendering.selection = Selection(m.rendering.selection.buffer)
 
-        def _select(packets: list[Packet]) -> None:
+        def select_all(packets: list[Packet]) -> None:
             for draw in packets:
                 if isinstance(draw, Draw):
                     select(selection, draw)
 
-        m.collector = _select
+        m.outlet.collector = select_all
     elif mode == gl.GL_FEEDBACK:
-        feedback = m.feedback = Feedback(m.feedback.buffer, m.feedback.type)
+        feedback = m.rendering.feedback = Feedback(m.rendering.feedback.buffer, m.rendering.feedback.type)
 
-        def _feed_back(packets: list[Packet]) -> None:
+        def feed_all_back(packets: list[Packet]) -> None:
             for packet in packets:
                 feed_back(feedback, packet)
 
-        m.collector = _feed_back
-    else:
-        m.collector = None
+        m.outlet.collector = feed_all_back
 
 
 def _selecting(m: Machine) -> Selection | None:
     """The selection in selection mode, with its hit record closed: the name stack is about to change."""
-    if render_mode(m) != gl.GL_SELECT:
+    if m.rendering.mode != gl.GL_SELECT:
         return None
     m.flush()
-    selection: Selection = m.selection
+    selection: Selection = m.rendering.selection
     selection.close()
     return selection
 
@@ -248,7 +244,7 @@ def glPopName(m: Machine) -> None:
 
 
 def glLoadName(m: Machine, name: int) -> None:
-    if render_mode(m) == gl.GL_SELECT and not m.selection.names:
+    if m.rendering.mode == gl.GL_SELECT and not m.rendering.selection.names:
         raise invalid_operation("the name stack is empty: call glPushName first")
     selection = _selecting(m)
     if selection is not None:
@@ -256,16 +252,16 @@ def glLoadName(m: Machine, name: int) -> None:
 
 
 def glPassThrough(m: Machine, token: float) -> None:
-    if render_mode(m) == gl.GL_FEEDBACK:
+    if m.rendering.mode == gl.GL_FEEDBACK:
         m.flush()
-        m.feedback.pass_through(float(token))
+        m.rendering.feedback.pass_through(float(token))
 
 
 def raster_hit(m: Machine) -> None:
     """A valid raster position is a hit in selection mode."""
-    if m.collector is not None and render_mode(m) == gl.GL_SELECT:
+    if m.rendering.mode == gl.GL_SELECT:
         m.flush()
-        m.selection.note(m.raster.z, m.raster.z)
+        m.rendering.selection.note(m.raster.z, m.raster.z)
 
 
 # ---------------------------------------------------------------- primitives
@@ -282,17 +278,12 @@ class Primitive(NamedTuple):
 def _shapes(draw: Draw) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
     """Vertex numbers of the primitives (n, k), and of their provoking vertices (n,)."""
     count = draw.count if draw.indices is None else len(draw.indices)
-    kind, whole = corners(draw.mode), complete(draw.mode, count)
-    i = np.arange(whole, dtype=np.uint32)
+    kind = corners(draw.mode)
     if kind == 3:
         shapes, provoking = outlines(draw.mode, count)
-    elif kind == 1:
-        shapes, provoking = i[:, None], i
     else:
-        shapes = i.reshape(-1, 2) if draw.mode == gl.GL_LINES else np.stack([i[:-1], i[1:]], axis=1)
-        if draw.mode == gl.GL_LINE_LOOP and whole:
-            shapes = np.concatenate([shapes, [[whole - 1, 0]]]).astype(np.uint32)
-        provoking = shapes[:, 1]
+        shapes = primitives(draw.mode, count, None, last=True).reshape(-1, kind)
+        provoking = shapes[:, -1]
     numbers = (np.arange(count, dtype=np.uint32) if draw.indices is None else draw.indices) + np.uint32(draw.first)
     return numbers[shapes], numbers[provoking]
 

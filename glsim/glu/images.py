@@ -49,7 +49,7 @@ def _unpacked(name: str, size: tuple[int, ...], format: int, type: int, data: An
         raise GLUError(NAMES["GLU_INVALID_VALUE"], f"{name}: the width, height and depth must be at least 1")
     try:
         return as_unit(
-            unpack(current_machine().unpack_store, size if len(size) > 1 else (1, *size), format, type, data)
+            unpack(current_machine().stores.unpack, size if len(size) > 1 else (1, *size), format, type, data)
         )
     except GLError as error:
         raise GLUError(CODES.get(error.err, error.err), f"{name}: {error.description}") from None
@@ -68,7 +68,7 @@ def gluScaleImage(
     values = as_numbers(scaled(image, (int(heightOut), int(widthOut)), wrap=True), DTYPES[typeOut])
     if dataOut is None:
         return values
-    pack_into(current_machine().pack_store, values, np.asarray(dataOut).reshape(-1).view(np.uint8))
+    pack_into(current_machine().stores.pack, values, np.asarray(dataOut).reshape(-1).view(np.uint8))
     return 0
 
 
@@ -97,7 +97,7 @@ def _build(
     upload: Any = (gl.glTexImage1D, gl.glTexImage2D, gl.glTexImage3D)[len(size) - 1]
     number = np.uint8 if type in PACKED or np.dtype(DTYPES.get(type, np.uint8)).itemsize == 1 else np.float32
     machine = current_machine()
-    kept, machine.unpack_store = machine.unpack_store, PixelStore(alignment=1)
+    kept, machine.stores.unpack = machine.stores.unpack, PixelStore(alignment=1)
     try:
         for k in range(level, min(last, level + max(image.shape[:-1]).bit_length() - 1) + 1):
             if k >= base:
@@ -106,7 +106,7 @@ def _build(
                 upload(target, k, internalFormat, *image.shape[-2::-1], 0, format, kind, texels)
             image = scaled(image, tuple(max(length // 2, 1) for length in image.shape[:-1]))
     finally:
-        machine.unpack_store = kept
+        machine.stores.unpack = kept
     return 0
 
 

@@ -5,24 +5,24 @@ from typing import Any
 from glsim.machine.constants import Enum
 from glsim.glut.fonts import BitmapFont
 from glsim.glut.fonts import StrokeFont
-from glsim.glut.api import glutAddMenuEntry as glutAddMenuEntry
-from glsim.glut.api import glutAddSubMenu as glutAddSubMenu
-from glsim.glut.api import glutAttachMenu as glutAttachMenu
+from glsim.glut.menus import glutAddMenuEntry as glutAddMenuEntry
+from glsim.glut.menus import glutAddSubMenu as glutAddSubMenu
+from glsim.glut.menus import glutAttachMenu as glutAttachMenu
 from glsim.glut.fonts import glutBitmapCharacter as glutBitmapCharacter
 from glsim.glut.fonts import glutBitmapHeight as glutBitmapHeight
 from glsim.glut.fonts import glutBitmapLength as glutBitmapLength
 from glsim.glut.fonts import glutBitmapString as glutBitmapString
 from glsim.glut.fonts import glutBitmapWidth as glutBitmapWidth
-from glsim.glut.api import glutChangeToMenuEntry as glutChangeToMenuEntry
-from glsim.glut.api import glutChangeToSubMenu as glutChangeToSubMenu
+from glsim.glut.menus import glutChangeToMenuEntry as glutChangeToMenuEntry
+from glsim.glut.menus import glutChangeToSubMenu as glutChangeToSubMenu
 from glsim.glut.api import glutMainLoopEvent as glutCheckLoop
 from glsim.glut.api import glutCopyColormap as glutCopyColormap
-from glsim.glut.api import glutCreateMenu as glutCreateMenu
+from glsim.glut.menus import glutCreateMenu as glutCreateMenu
 from glsim.glut.api import glutCreateSubWindow as glutCreateSubWindow
 from glsim.glut.api import glutCreateWindow as glutCreateWindow
-from glsim.glut.api import glutDestroyMenu as glutDestroyMenu
+from glsim.glut.menus import glutDestroyMenu as glutDestroyMenu
 from glsim.glut.api import glutDestroyWindow as glutDestroyWindow
-from glsim.glut.api import glutDetachMenu as glutDetachMenu
+from glsim.glut.menus import glutDetachMenu as glutDetachMenu
 from glsim.glut.api import glutDeviceGet as glutDeviceGet
 from glsim.glut.api import glutEnterGameMode as glutEnterGameMode
 from glsim.glut.api import glutEstablishOverlay as glutEstablishOverlay
@@ -35,8 +35,8 @@ from glsim.glut.api import glutGameModeGet as glutGameModeGet
 from glsim.glut.api import glutGameModeString as glutGameModeString
 from glsim.glut.api import glutGet as glutGet
 from glsim.glut.api import glutGetColor as glutGetColor
-from glsim.glut.api import glutGetMenu as glutGetMenu
-from glsim.glut.api import glutGetMenuData as glutGetMenuData
+from glsim.glut.menus import glutGetMenu as glutGetMenu
+from glsim.glut.menus import glutGetMenuData as glutGetMenuData
 from glsim.glut.api import glutGetModeValues as glutGetModeValues
 from glsim.glut.api import glutGetModifiers as glutGetModifiers
 from glsim.glut.api import glutGetProcAddress as glutGetProcAddress
@@ -73,7 +73,7 @@ from glsim.glut.api import glutPostRedisplay as glutPostRedisplay
 from glsim.glut.api import glutPostWindowOverlayRedisplay as glutPostWindowOverlayRedisplay
 from glsim.glut.api import glutPostWindowRedisplay as glutPostWindowRedisplay
 from glsim.glut.api import glutPopWindow as glutPushWindow
-from glsim.glut.api import glutRemoveMenuItem as glutRemoveMenuItem
+from glsim.glut.menus import glutRemoveMenuItem as glutRemoveMenuItem
 from glsim.glut.api import glutRemoveOverlay as glutRemoveOverlay
 from glsim.glut.api import glutReportErrors as glutReportErrors
 from glsim.glut.api import glutReshapeWindow as glutReshapeWindow
@@ -81,8 +81,8 @@ from glsim.glut.api import glutSetColor as glutSetColor
 from glsim.glut.api import glutSetCursor as glutSetCursor
 from glsim.glut.api import glutSetIconTitle as glutSetIconTitle
 from glsim.glut.api import glutIgnoreKeyRepeat as glutSetKeyRepeat
-from glsim.glut.api import glutSetMenu as glutSetMenu
-from glsim.glut.api import glutSetMenuData as glutSetMenuData
+from glsim.glut.menus import glutSetMenu as glutSetMenu
+from glsim.glut.menus import glutSetMenuData as glutSetMenuData
 from glsim.glut.api import glutSetOption as glutSetOption
 from glsim.glut.api import glutSetWindow as glutSetWindow
 from glsim.glut.api import glutSetWindowData as glutSetWindowData
@@ -99,9 +99,9 @@ from glsim.glut.shapes import glutSolidOctahedron as glutSolidOctahedron
 from glsim.glut.shapes import glutSolidRhombicDodecahedron as glutSolidRhombicDodecahedron
 from glsim.glut.shapes import glutSolidSierpinskiSponge as glutSolidSierpinskiSponge
 from glsim.glut.shapes import glutSolidSphere as glutSolidSphere
-from glsim.glut.shapes import glutSolidTeacup as glutSolidTeacup
-from glsim.glut.shapes import glutSolidTeapot as glutSolidTeapot
-from glsim.glut.shapes import glutSolidTeaspoon as glutSolidTeaspoon
+from glsim.glut.teaset import glutSolidTeacup as glutSolidTeacup
+from glsim.glut.teaset import glutSolidTeapot as glutSolidTeapot
+from glsim.glut.teaset import glutSolidTeaspoon as glutSolidTeaspoon
 from glsim.glut.shapes import glutSolidTetrahedron as glutSolidTetrahedron
 from glsim.glut.shapes import glutSolidTorus as glutSolidTorus
 from glsim.glut.api import glutSetupVideoResizing as glutStopVideoResizing
@@ -128,9 +128,9 @@ from glsim.glut.shapes import glutWireOctahedron as glutWireOctahedron
 from glsim.glut.shapes import glutWireRhombicDodecahedron as glutWireRhombicDodecahedron
 from glsim.glut.shapes import glutWireSierpinskiSponge as glutWireSierpinskiSponge
 from glsim.glut.shapes import glutWireSphere as glutWireSphere
-from glsim.glut.shapes import glutWireTeacup as glutWireTeacup
-from glsim.glut.shapes import glutWireTeapot as glutWireTeapot
-from glsim.glut.shapes import glutWireTeaspoon as glutWireTeaspoon
+from glsim.glut.teaset import glutWireTeacup as glutWireTeacup
+from glsim.glut.teaset import glutWireTeapot as glutWireTeapot
+from glsim.glut.teaset import glutWireTeaspoon as glutWireTeaspoon
 from glsim.glut.shapes import glutWireTetrahedron as glutWireTetrahedron
 from glsim.glut.shapes import glutWireTorus as glutWireTorus
 

@@ -1,4 +1,4 @@
-"""The functions of GLUT but for shapes and fonts; freeglut's where it has more."""
+"""The functions of GLUT but for menus, shapes and fonts; freeglut's where it has more."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 from glsim.glut import fonts
 from glsim.glut.constants import NAMES
 from glsim.glut.loop import SCREEN, FinishedError, loop
-from glsim.glut.window import Window
+from glsim.glut.menus import current_window, text_of
 from glsim.machine.errors import NoContextError
 
 DEFAULT_SIZE = (300, 300)
@@ -31,25 +31,6 @@ class Settings:
 
 
 settings = Settings()
-
-
-@dataclass
-class Menu:
-    """entries: (label, value) of a plain entry, (label, submenu number) with submenu True."""
-
-    function: Callable[[int], Any]
-    entries: list[tuple[str, int, bool]] = field(default_factory=list)
-    data: Any = None
-
-
-def _window(name: str) -> Window:
-    if loop.current is None:
-        raise RuntimeError(f"{name}: there is no current window: call glutCreateWindow first")
-    return loop.current
-
-
-def _text(title: Any) -> str:
-    return title.decode("utf-8", "replace") if isinstance(title, bytes) else str(title)
 
 
 # ---------------------------------------------------------------- initialization
@@ -77,7 +58,7 @@ WORDS = {
 def glutInitDisplayString(displayMode: Any) -> None:
     """A string such as "rgb double depth>=16 samples"."""
     mode = 0
-    for word in _text(displayMode).split():
+    for word in text_of(displayMode).split():
         name = word.rstrip("0123456789").rstrip("<>=~!")
         mode |= NAMES[WORDS[name]] if name in WORDS else 0
     settings.mode = mode
@@ -127,7 +108,7 @@ def glutSetOption(option: int, value: int) -> None:
 
 
 def glutCreateWindow(title: Any = "", *rest: Any) -> int:
-    return loop.open(_text(title), settings.place, settings.size, settings.mode, None)
+    return loop.open(text_of(title), settings.place, settings.size, settings.mode, None)
 
 
 def glutCreateSubWindow(window: int, x: int, y: int, width: int, height: int) -> int:
@@ -155,7 +136,7 @@ def glutGetWindow() -> int:
 
 
 def glutSetWindowTitle(title: Any) -> None:
-    _window("glutSetWindowTitle").title = _text(title)
+    current_window("glutSetWindowTitle").title = text_of(title)
 
 
 def glutSetIconTitle(title: Any) -> None:
@@ -163,43 +144,43 @@ def glutSetIconTitle(title: Any) -> None:
 
 
 def glutPositionWindow(x: int, y: int) -> None:
-    _window("glutPositionWindow").place = int(x), int(y)
+    current_window("glutPositionWindow").place = int(x), int(y)
 
 
 def glutReshapeWindow(width: int, height: int) -> None:
     """Takes effect at the next step, with a call of the reshape callback."""
     size = _size("glutReshapeWindow", width, height)
     if loop.fixed_size is None:
-        _window("glutReshapeWindow").asked = size
+        current_window("glutReshapeWindow").asked = size
 
 
 def glutFullScreen() -> None:
     """As large as the screen; without one, 1280 x 1024."""
-    window = _window("glutFullScreen")
+    window = current_window("glutFullScreen")
     if loop.fixed_size is None and window.asked != SCREEN:
         settings.full_screen_before[window.ident] = window.asked
         window.asked = SCREEN
 
 
 def glutLeaveFullScreen() -> None:
-    window = _window("glutLeaveFullScreen")
+    window = current_window("glutLeaveFullScreen")
     window.asked = settings.full_screen_before.pop(window.ident, window.asked)
 
 
 def glutFullScreenToggle() -> None:
-    if _window("glutFullScreenToggle").ident in settings.full_screen_before:
+    if current_window("glutFullScreenToggle").ident in settings.full_screen_before:
         glutLeaveFullScreen()
     else:
         glutFullScreen()
 
 
 def glutShowWindow() -> None:
-    window = _window("glutShowWindow")
+    window = current_window("glutShowWindow")
     window.hidden, window.dirty = False, True
 
 
 def glutHideWindow() -> None:
-    _window("glutHideWindow").hidden = True
+    current_window("glutHideWindow").hidden = True
 
 
 glutIconifyWindow = glutHideWindow
@@ -213,7 +194,7 @@ glutPushWindow = glutPopWindow
 
 
 def glutSetCursor(cursor: int) -> None:
-    _window("glutSetCursor").cursor = cursor  # type: ignore[assignment]
+    current_window("glutSetCursor").cursor = cursor  # type: ignore[assignment]
 
 
 def glutWarpPointer(x: int, y: int) -> None:
@@ -221,11 +202,11 @@ def glutWarpPointer(x: int, y: int) -> None:
 
 
 def glutGetWindowData() -> Any:
-    return _window("glutGetWindowData").data
+    return current_window("glutGetWindowData").data
 
 
 def glutSetWindowData(data: Any) -> None:
-    _window("glutSetWindowData").data = data
+    current_window("glutSetWindowData").data = data
 
 
 def glutSwapBuffers() -> None:
@@ -312,7 +293,7 @@ def _registrar(kind: str) -> Callable[..., None]:
                 callback = None
             else:
                 raise TypeError(f"{name}: a function or None is needed, not {callback!r}")
-        window = _window(name)
+        window = current_window(name)
         if callback is None:
             window.callbacks.pop(kind, None)
         else:
@@ -344,83 +325,6 @@ def glutMenuStatusFunc(callback: Any = None) -> None:
 
 
 glutMenuStateFunc = glutMenuDestroyFunc = glutMenuStatusFunc
-
-
-# ---------------------------------------------------------------- menus
-
-
-def glutCreateMenu(callback: Callable[[int], Any]) -> int:
-    number = max(loop.menus, default=0) + 1
-    loop.menus[number] = Menu(callback)
-    loop.menu = number
-    return number
-
-
-def glutDestroyMenu(menu: int) -> None:
-    loop.menus.pop(int(menu), None)
-    loop.menu = 0 if loop.menu == menu else loop.menu
-
-
-def glutGetMenu() -> int:
-    return loop.menu
-
-
-def glutSetMenu(menu: int) -> None:
-    if int(menu) in loop.menus:
-        loop.menu = int(menu)
-
-
-def _menu(name: str) -> Menu:
-    if loop.menu not in loop.menus:
-        raise RuntimeError(f"{name}: there is no current menu: call glutCreateMenu first")
-    menu: Menu = loop.menus[loop.menu]
-    return menu
-
-
-def glutAddMenuEntry(label: Any, value: int) -> None:
-    _menu("glutAddMenuEntry").entries.append((_text(label), int(value), False))
-
-
-def glutAddSubMenu(label: Any, submenu: int) -> None:
-    _menu("glutAddSubMenu").entries.append((_text(label), int(submenu), True))
-
-
-def _entry(name: str, item: int, label: Any, value: int, submenu: bool) -> None:
-    entries = _menu(name).entries
-    if not 1 <= int(item) <= len(entries):
-        raise ValueError(f"{name}: the menu has entries 1 to {len(entries)}, not {item}")
-    entries[int(item) - 1] = (_text(label), int(value), submenu)
-
-
-def glutChangeToMenuEntry(item: int, label: Any, value: int) -> None:
-    _entry("glutChangeToMenuEntry", item, label, value, False)
-
-
-def glutChangeToSubMenu(item: int, label: Any, submenu: int) -> None:
-    _entry("glutChangeToSubMenu", item, label, submenu, True)
-
-
-def glutRemoveMenuItem(item: int) -> None:
-    entries = _menu("glutRemoveMenuItem").entries
-    if not 1 <= int(item) <= len(entries):
-        raise ValueError(f"glutRemoveMenuItem: the menu has entries 1 to {len(entries)}, not {item}")
-    del entries[int(item) - 1]
-
-
-def glutAttachMenu(button: int) -> None:
-    _window("glutAttachMenu").menus[int(button)] = loop.menu
-
-
-def glutDetachMenu(button: int) -> None:
-    _window("glutDetachMenu").menus.pop(int(button), None)
-
-
-def glutGetMenuData() -> Any:
-    return _menu("glutGetMenuData").data
-
-
-def glutSetMenuData(data: Any) -> None:
-    _menu("glutSetMenuData").data = data
 
 
 # ---------------------------------------------------------------- state
@@ -476,7 +380,7 @@ def glutLayerGet(type: int) -> int:
 
 
 def glutGameModeString(string: Any) -> None:
-    settings.game_mode = _text(string)
+    settings.game_mode = text_of(string)
 
 
 def glutEnterGameMode() -> int:
@@ -504,7 +408,7 @@ def glutExtensionSupported(extension: Any) -> int:
     from glsim import gl
 
     there: Any = gl.glGetString(gl.GL_EXTENSIONS)
-    return int(_text(extension).encode() in there.split())
+    return int(text_of(extension).encode() in there.split())
 
 
 def glutGetProcAddress(name: Any) -> None:

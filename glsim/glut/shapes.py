@@ -1,12 +1,7 @@
-"""GLUT's shapes: spheres, cones, cylinders, tori, the regular polyhedra, the sponge and the tea set.
+"""GLUT's shapes: spheres, cones, cylinders, tori, the regular polyhedra and the sponge; teaset.py has the tea set.
 
 Vertices, normals and their order are freeglut 3.4's, number by number in float32, so that flat shading, lines, points
-and culling agree.  Faces are counterclockwise seen from outside, except the teapot's, teacup's and teaspoon's, which
-are clockwise.  Lengths are in object coordinates.
-
-shapes.npz has the Bezier patches of the tea set: control points (n, 3), z up, and for each patch the 16 that it joins.
-They are Martin Newell's teapot of 1975, and the teacup and teaspoon of the same family, in the form that freeglut
-ships (MIT licence; FONTS.md has the notice).
+and culling agree.  Faces are counterclockwise seen from outside.  Lengths are in object coordinates.
 """
 
 from __future__ import annotations
@@ -14,8 +9,6 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Sequence
-from functools import lru_cache
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -49,7 +42,7 @@ class Geometry(NamedTuple):
     parts: tuple[Part, ...]
 
 
-def _geometry(vertices: Array, normals: Array, *pieces: tuple[int, Indices], texture: Array | None = None) -> Geometry:
+def geometry(vertices: Array, normals: Array, *pieces: tuple[int, Indices], texture: Array | None = None) -> Geometry:
     """pieces: a mode and indices (primitives, vertices of each)."""
     order = np.concatenate([indices.ravel() for _, indices in pieces])
     drawn = [None if array is None else array[order] for array in (vertices, normals, texture)]
@@ -68,7 +61,7 @@ def _triangles(first: int, strips: int, size: int) -> NDArray[np.uint32]:
     return (first + size * np.arange(strips, dtype=np.uint32)[:, None] + pattern).astype(np.uint32).ravel()
 
 
-def _draw(shape: Geometry) -> None:
+def draw_geometry(shape: Geometry) -> None:
     """As freeglut: the vertex arrays are enabled before and disabled after, the current normal stays."""
     buffer = gl.glGetIntegerv(gl.GL_ARRAY_BUFFER_BINDING)
     if buffer:
@@ -101,7 +94,7 @@ def _draw(shape: Geometry) -> None:
 # ---------------------------------------------------------------- arguments
 
 
-def _length(name: str, argument: str, value: Any) -> float:
+def length(name: str, argument: str, value: Any) -> float:
     """The number as float32, as freeglut takes it."""
     try:
         if isinstance(value, (str, bytes)):
@@ -146,7 +139,7 @@ def _circle(n: int, half: bool = False) -> tuple[Array, Array]:
     return sines, cosines
 
 
-def _rows(*columns: Any) -> Array:
+def rows(*columns: Any) -> Array:
     """Points (n, 3) from their three coordinates, broadcast against each other."""
     return np.stack(np.broadcast_arrays(*columns), axis=-1).astype(np.float32).reshape(-1, 3)
 
@@ -171,28 +164,28 @@ def _sphere(radius: float, slices: int, stacks: int, wire: bool) -> Geometry:
     sine, cosine = (table[:-1] for table in _circle(-slices))
     ring, axis = (table[1:-1, None] for table in _circle(stacks, half=True))
     pole = np.array([[0.0, 0.0, 1.0]], np.float32)
-    normals = np.concatenate([pole, _rows(cosine * ring, sine * ring, axis), -pole])
+    normals = np.concatenate([pole, rows(cosine * ring, sine * ring, axis), -pole])
     vertices = normals * np.float32(radius)
     around = _rings(1, stacks - 1, slices)
     ends = [np.full((1, slices), pole) for pole in (0, len(vertices) - 1)]
     rings = np.concatenate([ends[0], around, ends[1]])
     if wire:
-        return _geometry(vertices, normals, (gl.GL_LINE_STRIP, rings.T), (gl.GL_LINE_LOOP, around))
-    return _geometry(vertices, normals, (gl.GL_TRIANGLE_STRIP, _strips(rings[1:], rings[:-1])))
+        return geometry(vertices, normals, (gl.GL_LINE_STRIP, rings.T), (gl.GL_LINE_LOOP, around))
+    return geometry(vertices, normals, (gl.GL_TRIANGLE_STRIP, _strips(rings[1:], rings[:-1])))
 
 
 def glutSolidSphere(radius: float, slices: int, stacks: int) -> None:
     """Around the origin, with the poles on the z axis; at least 1 slice and 2 stacks."""
-    _draw(_sphere(*_sphere_arguments("glutSolidSphere", radius, slices, stacks), False))
+    draw_geometry(_sphere(*_sphere_arguments("glutSolidSphere", radius, slices, stacks), False))
 
 
 def glutWireSphere(radius: float, slices: int, stacks: int) -> None:
     """The meridians, then the circles of latitude."""
-    _draw(_sphere(*_sphere_arguments("glutWireSphere", radius, slices, stacks), True))
+    draw_geometry(_sphere(*_sphere_arguments("glutWireSphere", radius, slices, stacks), True))
 
 
 def _sphere_arguments(name: str, radius: float, slices: int, stacks: int) -> tuple[float, int, int]:
-    return _length(name, "radius", radius), *_pieces(name, "slices", slices, 1, "stacks", stacks, 2)
+    return length(name, "radius", radius), *_pieces(name, "slices", slices, 1, "stacks", stacks, 2)
 
 
 @kept(MEMORY)
@@ -204,33 +197,33 @@ def _cone(base: float, height: float, slices: int, stacks: int, wire: bool) -> G
     slant = math.sqrt(h * h + r * r)
     flank, slope = (np.float32(float(side) / slant if slant else 0.0) for side in (h, r))
     vertices = np.concatenate(
-        [np.zeros((1, 3), np.float32), _rows(cosine * r, sine * r, 0), _rows(cosine * radii, sine * radii, z)]
+        [np.zeros((1, 3), np.float32), rows(cosine * r, sine * r, 0), rows(cosine * radii, sine * radii, z)]
     )
     down = np.tile(np.array([[0.0, 0.0, -1.0]], np.float32), (1 + slices, 1))
-    side = _rows(cosine * flank, sine * flank, slope)
+    side = rows(cosine * flank, sine * flank, slope)
     normals = np.concatenate([down, np.tile(side, (stacks + 1, 1))])
     rings = _rings(1, stacks + 2, slices)
     if wire:
         return _wire_tube(vertices, normals, rings[1:], rings[1:-1])
     upper = np.concatenate([np.zeros((1, slices), int), rings[1:-1]])
     lower = np.concatenate([rings[:1], rings[2:]])
-    return _geometry(vertices, normals, (gl.GL_TRIANGLE_STRIP, _strips(upper, lower)))
+    return geometry(vertices, normals, (gl.GL_TRIANGLE_STRIP, _strips(upper, lower)))
 
 
 def _wire_tube(vertices: Array, normals: Array, rings: Indices, drawn: Indices) -> Geometry:
     """Straight lines from the first to the last ring, then the rings that are drawn."""
     lines = np.stack([rings[0], rings[-1]], axis=1).reshape(1, -1)
-    return _geometry(vertices, normals, (gl.GL_LINES, lines), (gl.GL_LINE_LOOP, drawn))
+    return geometry(vertices, normals, (gl.GL_LINES, lines), (gl.GL_LINE_LOOP, drawn))
 
 
 def glutSolidCone(base: float, height: float, slices: int, stacks: int) -> None:
     """The base, a disc of radius ``base``, is in the plane z = 0, the tip at z = height."""
-    _draw(_cone(*_tube_arguments("glutSolidCone", "base", base, height, slices, stacks), False))
+    draw_geometry(_cone(*_tube_arguments("glutSolidCone", "base", base, height, slices, stacks), False))
 
 
 def glutWireCone(base: float, height: float, slices: int, stacks: int) -> None:
     """The lines to the tip, then the circles."""
-    _draw(_cone(*_tube_arguments("glutWireCone", "base", base, height, slices, stacks), True))
+    draw_geometry(_cone(*_tube_arguments("glutWireCone", "base", base, height, slices, stacks), True))
 
 
 @kept(MEMORY)
@@ -241,31 +234,31 @@ def _cylinder(radius: float, height: float, slices: int, stacks: int, wire: bool
     z = _steps(np.float32(0), step, stacks)
     levels = np.array([z[0], *z, (z[-1] + step) - step], np.float32)[:, None]
     middle = np.array([[0.0, 0.0, 0.0], [0.0, 0.0, h]], np.float32)
-    vertices = np.concatenate([middle[:1], _rows(cosine * r, sine * r, levels), middle[1:]])
+    vertices = np.concatenate([middle[:1], rows(cosine * r, sine * r, levels), middle[1:]])
     down = np.tile(np.array([[0.0, 0.0, -1.0]], np.float32), (1 + slices, 1))
-    normals = np.concatenate([down, np.tile(_rows(cosine, sine, 0), (stacks + 1, 1)), np.abs(down)])
+    normals = np.concatenate([down, np.tile(rows(cosine, sine, 0), (stacks + 1, 1)), np.abs(down)])
     rings = _rings(1, stacks + 3, slices)
     if wire:
         return _wire_tube(vertices, normals, rings[1:-1], rings[1:-1])
     upper = np.concatenate([np.zeros((1, slices), int), rings[1:-2], rings[-1:]])
     lower = np.concatenate([rings[:1], rings[2:-1], np.full((1, slices), len(vertices) - 1)])
-    return _geometry(vertices, normals, (gl.GL_TRIANGLE_STRIP, _strips(upper, lower)))
+    return geometry(vertices, normals, (gl.GL_TRIANGLE_STRIP, _strips(upper, lower)))
 
 
 def glutSolidCylinder(radius: float, height: float, slices: int, stacks: int) -> None:
     """Around the z axis from z = 0 to z = height, with both ends closed."""
-    _draw(_cylinder(*_tube_arguments("glutSolidCylinder", "radius", radius, height, slices, stacks), False))
+    draw_geometry(_cylinder(*_tube_arguments("glutSolidCylinder", "radius", radius, height, slices, stacks), False))
 
 
 def glutWireCylinder(radius: float, height: float, slices: int, stacks: int) -> None:
     """The lines along z, then the circles."""
-    _draw(_cylinder(*_tube_arguments("glutWireCylinder", "radius", radius, height, slices, stacks), True))
+    draw_geometry(_cylinder(*_tube_arguments("glutWireCylinder", "radius", radius, height, slices, stacks), True))
 
 
 def _tube_arguments(
     name: str, radius_name: str, radius: float, height: float, slices: int, stacks: int
 ) -> tuple[float, float, int, int]:
-    lengths = _length(name, radius_name, radius), _length(name, "height", height)
+    lengths = length(name, radius_name, radius), length(name, "height", height)
     return *lengths, *_pieces(name, "slices", slices, 1, "stacks", stacks, 1)
 
 
@@ -274,26 +267,26 @@ def _torus(inner: float, outer: float, sides: int, rings: int, wire: bool) -> Ge
     sine, cosine = (table[:-1] for table in _circle(-sides))
     around_sine, around_cosine = (table[:-1, None] for table in _circle(rings))
     reach = np.float32(outer) + cosine * np.float32(inner)
-    vertices = _rows(around_cosine * reach, around_sine * reach, sine * np.float32(inner))
-    normals = _rows(around_cosine * cosine, around_sine * cosine, sine)
+    vertices = rows(around_cosine * reach, around_sine * reach, sine * np.float32(inner))
+    normals = rows(around_cosine * cosine, around_sine * cosine, sine)
     tubes = _rings(0, rings, sides)
     if wire:
-        return _geometry(vertices, normals, (gl.GL_LINE_LOOP, tubes), (gl.GL_LINE_LOOP, tubes.T))
-    return _geometry(vertices, normals, (gl.GL_TRIANGLE_STRIP, _strips(tubes.T, np.roll(tubes.T, -1, axis=0))))
+        return geometry(vertices, normals, (gl.GL_LINE_LOOP, tubes), (gl.GL_LINE_LOOP, tubes.T))
+    return geometry(vertices, normals, (gl.GL_TRIANGLE_STRIP, _strips(tubes.T, np.roll(tubes.T, -1, axis=0))))
 
 
 def glutSolidTorus(dInnerRadius: float, dOuterRadius: float, nSides: int, nRings: int) -> None:
     """Around the z axis: a tube of radius dInnerRadius whose middle is dOuterRadius from the origin."""
-    _draw(_torus(*_torus_arguments("glutSolidTorus", dInnerRadius, dOuterRadius, nSides, nRings), False))
+    draw_geometry(_torus(*_torus_arguments("glutSolidTorus", dInnerRadius, dOuterRadius, nSides, nRings), False))
 
 
 def glutWireTorus(dInnerRadius: float, dOuterRadius: float, nSides: int, nRings: int) -> None:
     """The circles of the tube, then those around the axis."""
-    _draw(_torus(*_torus_arguments("glutWireTorus", dInnerRadius, dOuterRadius, nSides, nRings), True))
+    draw_geometry(_torus(*_torus_arguments("glutWireTorus", dInnerRadius, dOuterRadius, nSides, nRings), True))
 
 
 def _torus_arguments(name: str, inner: float, outer: float, sides: int, rings: int) -> tuple[float, float, int, int]:
-    radii = _length(name, "dInnerRadius", inner), _length(name, "dOuterRadius", outer)
+    radii = length(name, "dInnerRadius", inner), length(name, "dOuterRadius", outer)
     return *radii, *_pieces(name, "nSides", sides, 2, "nRings", rings, 2)
 
 
@@ -385,68 +378,68 @@ def _solid(name: str, wire: bool, size: float = 1.0) -> Geometry:
 def _faces(vertices: Array, normals: Array, corners: int, wire: bool) -> Geometry:
     faces = np.arange(len(vertices)).reshape(-1, corners)
     if wire:
-        return _geometry(vertices, normals, (gl.GL_LINE_LOOP, faces))
-    return _geometry(vertices, normals, (gl.GL_TRIANGLES, faces[:, CUTS[corners]].reshape(1, -1)))
+        return geometry(vertices, normals, (gl.GL_LINE_LOOP, faces))
+    return geometry(vertices, normals, (gl.GL_TRIANGLES, faces[:, CUTS[corners]].reshape(1, -1)))
 
 
 def glutSolidCube(size: float) -> None:
     """Around the origin, with edges of length ``size``."""
-    _draw(_solid("cube", False, _length("glutSolidCube", "size", size)))
+    draw_geometry(_solid("cube", False, length("glutSolidCube", "size", size)))
 
 
 def glutWireCube(size: float) -> None:
     """One line loop for each face."""
-    _draw(_solid("cube", True, _length("glutWireCube", "size", size)))
+    draw_geometry(_solid("cube", True, length("glutWireCube", "size", size)))
 
 
 def glutSolidTetrahedron() -> None:
     """Corners at distance 1 from the origin."""
-    _draw(_solid("tetrahedron", False))
+    draw_geometry(_solid("tetrahedron", False))
 
 
 def glutWireTetrahedron() -> None:
     """One line loop for each face."""
-    _draw(_solid("tetrahedron", True))
+    draw_geometry(_solid("tetrahedron", True))
 
 
 def glutSolidOctahedron() -> None:
     """Corners at distance 1 from the origin."""
-    _draw(_solid("octahedron", False))
+    draw_geometry(_solid("octahedron", False))
 
 
 def glutWireOctahedron() -> None:
     """One line loop for each face."""
-    _draw(_solid("octahedron", True))
+    draw_geometry(_solid("octahedron", True))
 
 
 def glutSolidIcosahedron() -> None:
     """Corners at distance 1 from the origin; the normals have length 0.957, as freeglut's."""
-    _draw(_solid("icosahedron", False))
+    draw_geometry(_solid("icosahedron", False))
 
 
 def glutWireIcosahedron() -> None:
     """One line loop for each face."""
-    _draw(_solid("icosahedron", True))
+    draw_geometry(_solid("icosahedron", True))
 
 
 def glutSolidDodecahedron() -> None:
     """Corners at distance sqrt(3) from the origin."""
-    _draw(_solid("dodecahedron", False))
+    draw_geometry(_solid("dodecahedron", False))
 
 
 def glutWireDodecahedron() -> None:
     """One line loop for each face."""
-    _draw(_solid("dodecahedron", True))
+    draw_geometry(_solid("dodecahedron", True))
 
 
 def glutSolidRhombicDodecahedron() -> None:
     """Faces at distance 0.707 from the origin; eight of the normals have that length, as freeglut's."""
-    _draw(_solid("rhombic dodecahedron", False))
+    draw_geometry(_solid("rhombic dodecahedron", False))
 
 
 def glutWireRhombicDodecahedron() -> None:
     """One line loop for each face."""
-    _draw(_solid("rhombic dodecahedron", True))
+    draw_geometry(_solid("rhombic dodecahedron", True))
 
 
 # ---------------------------------------------------------------- sponge
@@ -484,135 +477,6 @@ def _draw_sponge(name: str, num_levels: int, offset: Sequence[float], scale: flo
         x, y, z = map(float, offset)
     except (TypeError, ValueError):
         raise TypeError(f"{name}: offset must be three numbers, not {offset!r}") from None
-    size = _length(name, "scale", scale)
+    size = length(name, "scale", scale)
     if levels >= 0:
-        _draw(_sponge(levels, (x, y, z), size, wire))
-
-
-# ---------------------------------------------------------------- tea set
-
-
-class Vessel(NamedTuple):
-    """How a member of the tea set follows from its patches."""
-
-    part: float  # of the size
-    middle: float  # z that comes to y = 0
-    copies: tuple[int, ...]  # of each patch: 4 by quarter turns, 2 by reflection, 1
-    poles: dict[int, float]  # patches whose first row is one point, and y of the normal there
-
-
-VESSELS = {
-    "teapot": Vessel(1.0, 1.575, (4,) * 6 + (2,) * 4, {3: 1.0, 5: -1.0}),
-    "teacup": Vessel(2.5, 1.5121, (4,) * 6 + (2,), {}),
-    "teaspoon": Vessel(2.5, -0.0315, (1,) * 16, {}),
-}
-
-
-@lru_cache(1)
-def _patches() -> dict[str, Array]:
-    """Control points (patches, 4, 4, 3) of each vessel, z up."""
-    with np.load(Path(__file__).with_name("shapes.npz")) as data:
-        return {name: data[f"{name}_points"][data[f"{name}_patches"]].reshape(-1, 4, 4, 3) for name in VESSELS}
-
-
-def _bernstein(n: int) -> tuple[Array, Array]:
-    """The four cubic Bernstein polynomials at n points of [0, 1], and their derivatives: (n, 4) each, in float32."""
-    x = np.arange(n, dtype=np.float32) / np.float32(n - 1)
-    y = 1 - x
-    values = np.stack([y * (y * y), 3 * x * (y * y), 3 * (x * x) * y, x * (x * x)], axis=1)
-    slopes = np.stack([-3 * (y * y), 3 * (y * y) - 6 * x * y, 6 * x * y - 3 * (x * x), 3 * (x * x)], axis=1)
-    return values, slopes
-
-
-def _blend(weights: Array, points: Array) -> Array:
-    """Sum over axis -2 of the points (..., 4, m) with weights (n, 4): (..., n, m), added from first to last."""
-    total: Array = weights[:, 0, None] * points[..., :1, :]
-    for k in range(1, 4):
-        total = total + weights[:, k, None] * points[..., k : k + 1, :]
-    return total
-
-
-def _surface(along: Array, across: Array, control: Array) -> Array:
-    """Points (patches, n, n, 3): ``along`` weighs the rows of the control points, ``across`` the columns."""
-    patches, n = len(control), len(along)
-    rows: Array = _blend(across, control).reshape(patches, 4, n * 3)
-    points: Array = _blend(along, rows).reshape(patches, n, n, 3)
-    return points
-
-
-def _unit_normals(control: Array, n: int, poles: dict[int, float]) -> Array:
-    values, slopes = _bernstein(n)
-    a, b = _surface(values, slopes, control), _surface(slopes, values, control)
-    (ax, ay, az), (bx, by, bz) = np.moveaxis(a, -1, 0), np.moveaxis(b, -1, 0)
-    normals: Array = np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], axis=-1)
-    x, y, z = np.moveaxis(normals, -1, 0)
-    with np.errstate(invalid="ignore"):
-        normals = normals / np.sqrt(x * x + y * y + z * z)[..., None]
-    normals[np.isnan(normals).any(axis=-1)] = 0.0, 0.0, 1.0  # the tip of the teaspoon: freeglut has no number there
-    for patch, up in poles.items():
-        normals[patch, 0] = 0.0, up, 0.0
-    return normals
-
-
-def _copies(grid: Array, copies: int) -> list[Array]:
-    """A patch (n, n, 3) turned around y by quarters, or reflected in z with its rows backwards."""
-    if copies == 1:
-        return [grid]
-    if copies == 2:
-        return [grid, grid[::-1] * np.array([1, 1, -1], np.float32)]
-    x, y, z = np.moveaxis(grid, -1, 0)
-    return [np.stack(turned, axis=-1) for turned in ((x, y, z), (z, y, -x), (-x, y, -z), (-z, y, x))]
-
-
-@kept(MEMORY)
-def _tea(name: str, size: float, wire: bool) -> Geometry:
-    """Solid: 7 x 7 quads for each patch, in two triangles each; wire: 10 x 10 line strips."""
-    vessel, n = VESSELS[name], 10 if wire else 8
-    scale = np.float32(size) / np.float32(vessel.part)
-    x, y, z = np.moveaxis(_patches()[name], -1, 0)
-    control = _rows(x * scale / 2, (z - np.float32(vessel.middle)) * scale / 2, -y * scale / 2).reshape(-1, 4, 4, 3)
-    values, _ = _bernstein(n)
-    surfaces = _surface(values, values, control), _unit_normals(control, n, vessel.poles)
-    vertices, normals = (
-        np.concatenate([copy for k, grid in enumerate(s) for copy in _copies(grid, vessel.copies[k])]).reshape(-1, 3)
-        for s in surfaces
-    )
-    grids = np.arange(len(vertices)).reshape(-1, n, n)
-    if wire:
-        strips = [grids.transpose(0, 2, 1).reshape(-1, n), grids.reshape(-1, n)]
-        return _geometry(vertices, normals, (gl.GL_LINE_STRIP, np.concatenate(strips)))
-    a, b, c, d = grids[:, :-1, :-1], grids[:, 1:, :-1], grids[:, 1:, 1:], grids[:, :-1, 1:]
-    u, v = np.meshgrid(*[np.arange(n, dtype=np.float32) / np.float32(n - 1)] * 2, indexing="ij")
-    texture = np.tile(np.stack([u, v], axis=-1).reshape(-1, 2), (len(grids), 1))
-    triangles = np.stack([a, b, c, a, c, d], axis=-1).reshape(1, -1)
-    return _geometry(vertices, normals, (gl.GL_TRIANGLES, triangles), texture=texture)
-
-
-def glutSolidTeapot(size: float) -> None:
-    """The Utah teapot, y up, its middle height at y = 0, with texture coordinates."""
-    _draw(_tea("teapot", _length("glutSolidTeapot", "size", size), False))
-
-
-def glutWireTeapot(size: float) -> None:
-    """Line strips along both directions of each patch."""
-    _draw(_tea("teapot", _length("glutWireTeapot", "size", size), True))
-
-
-def glutSolidTeacup(size: float) -> None:
-    """The Utah teacup, y up, with texture coordinates."""
-    _draw(_tea("teacup", _length("glutSolidTeacup", "size", size), False))
-
-
-def glutWireTeacup(size: float) -> None:
-    """Line strips along both directions of each patch."""
-    _draw(_tea("teacup", _length("glutWireTeacup", "size", size), True))
-
-
-def glutSolidTeaspoon(size: float) -> None:
-    """The Utah teaspoon, y up, with texture coordinates."""
-    _draw(_tea("teaspoon", _length("glutSolidTeaspoon", "size", size), False))
-
-
-def glutWireTeaspoon(size: float) -> None:
-    """Line strips along both directions of each patch."""
-    _draw(_tea("teaspoon", _length("glutWireTeaspoon", "size", size), True))
+        draw_geometry(_sponge(levels, (x, y, z), size, wire))

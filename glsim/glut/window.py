@@ -51,7 +51,7 @@ class Window:
             24 if mode & (DEPTH | STENCIL) else 0,
             8 if mode & STENCIL else 0,
         )
-        self.screen.machine.limits = self._limited if not mode & STENCIL else None
+        self.screen.machine.outlet.limit = self._limited if not mode & STENCIL else None
         self.notes: list[str] = []  # what is to be said
         self.said: set[str] = set()
         self.last: tuple[Snapshot, Snapshot] | None = None  # a state, and that state without tests

@@ -32,6 +32,9 @@ MINIMUM = {
     gl.GL_POLYGON: (3, 1),
 }
 
+# Corners of a primitive -> the mode whose primitives are just that.
+PLAIN = {1: gl.GL_POINTS, 2: gl.GL_LINES, 3: gl.GL_TRIANGLES}
+
 # Modes whose primitives share no vertices: several Draws of one mode in a row are like one.
 SEPARATE = {gl.GL_POINTS, gl.GL_LINES, gl.GL_TRIANGLES, gl.GL_QUADS}
 
@@ -82,6 +85,17 @@ def _pattern(mode: int, count: int, last: bool) -> Indices:
     if mode == gl.GL_QUAD_STRIP:
         return _pack(a, b, c, d, a, c)  # the provoking vertex is 2i + 4, here c
     return _pack(a, b, d, b, c, d) if last else _pack(a, b, c, a, c, d)
+
+
+def primitives(mode: int, count: int, indices: Indices | None, last: bool) -> Indices:
+    """The vertex numbers of ``assemble``, also where nothing is rearranged.
+
+    count: how many vertices there are.  indices: their order (glDrawElements), or None for 0, 1, 2, ..., count - 1.
+    """
+    pattern = assemble(mode, count, last)
+    if indices is None:
+        return np.arange(complete(mode, count), dtype=np.uint32) if pattern is None else pattern
+    return indices[: complete(mode, count)] if pattern is None else indices[pattern]
 
 
 _small_pattern = lru_cache(maxsize=512)(_pattern)

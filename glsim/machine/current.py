@@ -111,6 +111,16 @@ def driving(machine: Machine) -> Iterator[None]:
             _switch(before)
 
 
+@contextmanager
+def current_again() -> Iterator[None]:
+    """After the block this thread's gl commands drive what they drove before it, whatever the block made current."""
+    before = current_machine()
+    try:
+        yield
+    finally:
+        make_current(None if isinstance(before, NoMachine) else before)
+
+
 def attach(namespace: dict[str, Any]) -> None:
     """Keep ``current`` in these globals up to date."""
     global _namespace

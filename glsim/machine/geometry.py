@@ -10,18 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine import constants as gl
-from glsim.machine.assembly import assemble, complete, corners
+from glsim.machine.assembly import PLAIN, corners, primitives
 from glsim.machine.current import driving
 from glsim.machine.errors import out_of_memory
 from glsim.machine.frame import Draw, Vertices
-from glsim.machine.machine import Machine
+from glsim.machine.machine import REGISTERS, Machine
 from glsim.machine.record import implementations
 
 NAN = float("nan")
-PLAIN = {1: gl.GL_POINTS, 2: gl.GL_LINES, 3: gl.GL_TRIANGLES}
 MOST_VARIANTS = 16
 AnyCall = tuple[str, tuple[Any, ...]]
-REGISTERS = ("nx", "ny", "nz", "red", "green", "blue", "alpha")
 
 
 class _NoDevice:
@@ -111,10 +109,7 @@ class Geometry:
 def _indices(draw: Draw) -> NDArray[np.uint32]:
     """Plain triangles, lines or points; quads are cut so that both halves end in the provoking vertex."""
     count = draw.count if draw.indices is None else len(draw.indices)
-    pattern = assemble(draw.mode, count, last=True)
-    if pattern is None:
-        pattern = np.arange(complete(draw.mode, count), dtype=np.uint32)
-    return (pattern if draw.indices is None else draw.indices[pattern]) + np.uint32(draw.first)
+    return primitives(draw.mode, count, draw.indices, last=True) + np.uint32(draw.first)
 
 
 def _execute(calls: Sequence[AnyCall], clients: dict[int, dict[Any, Any]], first: int) -> Machine:
@@ -126,6 +121,6 @@ def _execute(calls: Sequence[AnyCall], clients: dict[int, dict[Any, Any]], first
     with driving(scratch):
         for position, (name, arguments) in enumerate(calls, first):
             if position in clients:
-                scratch.client = clients[position]
+                scratch.client.arrays = clients[position]
             implementations[name](*arguments)
     return scratch

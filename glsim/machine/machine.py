@@ -16,10 +16,12 @@ from numpy.typing import NDArray
 
 from glsim.machine.constants import GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE
 from glsim.machine.errors import NoContextError, invalid_operation
-from glsim.machine.frame import ROW, ROW_BYTES, Draw, Frame, Matrices, Packet, Vertices
+from glsim.machine.frame import ROW, ROW_BYTES, Draw, Matrices, Packet, Vertices
+from glsim.machine.holdings import Objects, PixelStores, Rendering, VertexArrays
+from glsim.machine.interception import Outlet, Recording
 from glsim.machine.interrupts import uninterrupted
 from glsim.machine.matrix import Matrix, identity
-from glsim.machine.pixels import PixelMode, PixelStore
+from glsim.machine.pixels import PixelMode
 from glsim.machine.state import (
     TEXTURE_UNITS,
     Color,
@@ -54,6 +56,10 @@ ATTRIB_STACK_DEPTH = 16
 MAX_LIST_NESTING = 64
 MOST_NAMES = 1 << 20  # of display lists or textures that one call may ask for
 STACK_DEPTH: dict[int, int] = {GL_MODELVIEW: 64, GL_PROJECTION: 32, GL_TEXTURE: 32}
+
+
+# Current values that glVertex writes beside the position.
+REGISTERS = ("nx", "ny", "nz", "red", "green", "blue", "alpha")
 
 
 class Device(Protocol):
@@ -102,25 +108,34 @@ class Machine:
     """State of one context.  The short names at the top are what the hot commands of gl/immediate.py touch."""
 
     __slots__ = (  # noqa: RUF023
-        # registers: current values, vertices since the last flush, what is going on
-        "accum_clear", "alpha", "array_buffer", "attrib_stack", "begin_material", "blue", "buffers", "busy",
-        "capturing", "change", "client", "client_attrib_stack", "client_unit", "collector", "columns", "compiling",
-        "device", "element_buffer", "evaluators", "feedback", "first", "green", "hints", "index", "inside", "latest",
-        "limits", "list_base", "lists", "lowest", "maps", "materials", "modelview", "nesting", "nx", "ny", "nz",
-        "pack_store", "packets", "pixel", "projection", "queries", "raster", "recorder", "red", "selection",
-        "several_texture_matrices", "stack", "stacks", "stream", "texcoord", "texture_names", "texture_stacks",
-        "textures", "thread", "tracks", "unpack_store", "waiting", "write", "__weakref__",
-        # groups of state
-        "color_buffer", "depth", "fog", "lighting", "line", "material", "multisample", "point", "polygon",
-        "polygon_stipple", "scissor", "stencil", "texture", "transform", "viewport",
+        # current values (section 2.7); the others are the last entries of ``tracks``
+        "nx", "ny", "nz", "red", "green", "blue", "alpha", "index",
+        # vertices since the last flush, and the primitive between glBegin and glEnd
+        "stream", "write", "tracks", "texcoord", "columns", "materials", "inside", "first", "begin_material",
+        # packets since the last flush
+        "packets", "waiting", "latest",
+        # matrices (section 2.11.2)
+        "modelview", "projection", "texture_stacks", "several_texture_matrices", "stacks", "stack",
+        # interception: see interception.py
+        "recorder", "busy", "outlet",
+        # groups of state (state.py): those of a Snapshot, and those that no Draw needs
+        "color_buffer", "depth", "fog", "lighting", "line", "multisample", "point", "polygon", "polygon_stipple",
+        "scissor", "stencil", "texture", "transform", "viewport",
+        "accum_clear", "evaluators", "hints", "list_base", "material", "pixel", "raster",
+        # what glPushAttrib and glPushClientAttrib saved
+        "attrib_stack", "client_attrib_stack",
+        # by topic: see holdings.py
+        "client", "objects", "rendering", "stores",
+        # the display list that is being compiled, and how many are being called
+        "compiling", "nesting",
+        "device", "thread", "__weakref__",
     )  # fmt: skip
 
     def __init__(self, device: Device) -> None:
         self.device = device
         self.thread = get_ident()  # in which it is current
-        self.capturing: Frame | None = None
-        self.change: Callable[[Draw], Draw] | None = None  # made of every Draw: another shade model, say
-        self.limits: Callable[[Packet], Packet] | None = None  # what a window that lacks buffers makes of every packet
+        self.outlet = Outlet()
+        self.recorder: Recording | None = None
         self.reset()
 
     def reset(self) -> None:
@@ -128,7 +143,7 @@ class Machine:
 
         A Frame that is being captured, and a Recorder, begin anew.
         """
-        recorder: Any = getattr(self, "recorder", None)
+        recorder: Any = self.recorder
         # current values, section 2.7
         self.nx, self.ny, self.nz = 0.0, 0.0, 1.0
         self.red = self.green = self.blue = self.alpha = 1.0
@@ -143,9 +158,6 @@ class Machine:
         self.polygon = Polygon()
         self.polygon_stipple = PolygonStipple()
         self.texture = Texturing()
-        self.textures = {(0, texture.kind): texture for texture in self.texture.unit.bound}
-        self.texture_names: set[int] = set()  # by glGenTextures
-        self.lowest: dict[str, int] = {}  # no name of "textures", "buffers", "queries" or "lists" below it is free
         self.fog = Fog()
         self.depth = Depth()
         self.stencil = Stencil()
@@ -156,23 +168,16 @@ class Machine:
         self.hints: dict[int, int] = {}
         self.raster = RasterPosition()
         self.pixel = PixelMode()
-        self.unpack_store, self.pack_store = PixelStore(), PixelStore()
         self.accum_clear: Color = (0.0, 0.0, 0.0, 0.0)
         self.evaluators = Evaluators()
-        self.maps: dict[int, Any] = {}
-        self.client: dict[Any, Any] = {}  # vertex arrays
-        self.client_unit = 0
-        self.buffers: dict[int, Any] = {}
-        self.array_buffer = self.element_buffer = 0
-        self.queries: dict[int, Any] = {}
-        # what takes packets instead of the device: glRenderMode(GL_SELECT) and GL_FEEDBACK
-        self.collector: Callable[[list[Packet]], None] | None = None
-        self.selection: Any = None
-        self.feedback: Any = None
+        self.list_base = 0
         self.attrib_stack: list[Any] = []
         self.client_attrib_stack: list[Any] = []
-        self.lists: dict[int, Any] = {}
-        self.list_base = 0
+        # by topic
+        self.client = VertexArrays()
+        self.stores = PixelStores()
+        self.objects = Objects(textures={(0, texture.kind): texture for texture in self.texture.unit.bound})
+        self.rendering = Rendering()
         self.compiling: Any = None  # the ListRecorder between glNewList and glEndList
         self.nesting = 0  # lists that are being called
         self.latest = Snapshot._make(take_groups(self))
@@ -188,15 +193,14 @@ class Machine:
         self.stack = self.modelview
         # vertices and packets since the last flush
         self.inside: int | None = None
-        self.recorder: Callable[[str, tuple[Any, ...]], Any] | None = None
+        self.recorder = None
         self.busy = False
         self.first = 0
         self.begin_material = self.material
         self.packets: list[Packet] = []
         self.waiting = 0  # bytes of the pictures in packets
         self._new_stream()
-        if self.capturing is not None:
-            self.capturing.packets.clear()
+        self.outlet.reset()
         recorder = getattr(recorder, "outer", recorder)  # of a display list that was being compiled
         if recorder is not None:
             recorder.restart()
@@ -314,16 +318,9 @@ class Machine:
             for packet in packets:
                 if type(packet) is Draw and packet.vertices is None:
                     packet.vertices = vertices
-            if self.collector is not None:
-                self.collector(packets)
-                return
-            if self.limits is not None:
-                packets = [self.limits(packet) for packet in packets]
-            if self.change is not None:
-                packets = [self.change(packet) if type(packet) is Draw else packet for packet in packets]
-            if self.capturing is not None:
-                self.capturing.packets += packets
-            self.device.execute(packets)
+            drawn = self.outlet.passed(packets)
+            if drawn:
+                self.device.execute(drawn)
 
     def complete(self) -> None:
         """Flush, for somebody who wants the picture.  Raises GLError between glBegin and glEnd."""
@@ -345,7 +342,7 @@ class Machine:
         self._new_stream()
         return vertices
 
-    # ------------------------------------------------------------ interception
+    # ------------------------------------------------------------ interception of commands
 
     def intercept(self, name: str, arguments: tuple[Any, ...]) -> Any:
         """A command came that is illegal between glBegin and glEnd, or that must be recorded."""
@@ -354,7 +351,7 @@ class Machine:
         assert self.recorder is not None
         return self.recorder(name, arguments)
 
-    def record(self, recorder: Callable[[str, tuple[Any, ...]], Any] | None) -> None:
+    def record(self, recorder: Recording | None) -> None:
         """Send every command to ``recorder`` instead of executing it; None ends that."""
         self.recorder = recorder
         self.busy = recorder is not None or self.inside is not None

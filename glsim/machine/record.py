@@ -154,7 +154,7 @@ class ListRecorder:
         if name in ARRAY_CALLS:
             self.clients[len(self.calls)] = copied(self.machine)
         if name in PIXEL_CALLS:
-            self.stores[len(self.calls)] = self.machine.unpack_store
+            self.stores[len(self.calls)] = self.machine.stores.unpack
         try:
             self.calls.append((name, with_indices(self.machine, name, arguments)))
         except Exception as error:
@@ -194,20 +194,23 @@ def copied(machine: Machine) -> dict[Any, Any]:
 
     def keep(state: Any) -> Any:
         pointer = state.pointer
-        buffer = machine.buffers.get(pointer.buffer)
+        buffer = machine.objects.buffers.get(pointer.buffer)
         data = buffer.data[max(pointer.offset, 0) :] if buffer is not None else pointer.data
         if not state.enabled or data is None:
             return state
         return state._replace(pointer=pointer._replace(data=np.array(data), buffer=0, offset=0))
 
-    return {array: keep(state) for array, state in machine.client.items()}
+    return {array: keep(state) for array, state in machine.client.arrays.items()}
 
 
 def with_indices(machine: Machine, name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
     """The arguments of glDrawElements with the indices themselves, if they lie in a buffer object."""
-    if not machine.element_buffer or name not in ("glDrawElements", "glDrawRangeElements"):
+    if not machine.client.element_buffer or name not in ("glDrawElements", "glDrawRangeElements"):
         return arguments
-    memory, place = machine.buffers[machine.element_buffer].data, COMMANDS[name].parameters.index("indices")
+    memory, place = (
+        machine.objects.buffers[machine.client.element_buffer].data,
+        COMMANDS[name].parameters.index("indices"),
+    )
     return (*arguments[:place], memory[arguments[place] or 0 :].tobytes())
 
 

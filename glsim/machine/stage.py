@@ -14,14 +14,10 @@ from numpy.typing import NDArray
 from glsim import shading
 from glsim.machine import constants as gl
 from glsim.machine.frame import Draw
-from glsim.machine.state import Face, Lighting, Material, TextureUnit, Viewport
+from glsim.machine.state import TRACKED, Face, Lighting, Material, TextureUnit, Viewport
 from glsim.shading import Illumination, Surface, dot
 
 Float = NDArray[np.float64]
-TRACKED: dict[int, tuple[str, ...]] = {
-    gl.GL_AMBIENT: ("ambient",), gl.GL_DIFFUSE: ("diffuse",), gl.GL_AMBIENT_AND_DIFFUSE: ("ambient", "diffuse"),
-    gl.GL_SPECULAR: ("specular",),
-}  # fmt: skip
 
 
 class Stage(NamedTuple):
@@ -117,7 +113,7 @@ def surface(lighting: Lighting, side: int, materials: Sequence[Material], color:
     if lighting.color_material and lighting.color_material_face not in (
         gl.GL_BACK if side == gl.GL_FRONT else gl.GL_FRONT,
     ):
-        for name in TRACKED.get(lighting.color_material_mode, ("emission",)):
+        for name in TRACKED[lighting.color_material_mode]:
             columns[name] = color
     k_a, k_d, k_s, emission = (columns[name][:, :3] for name in Face._fields[:4])
     return Surface(k_a, k_d, k_s, emission, columns["shininess"][:, None]), columns["diffuse"][:, 3:]

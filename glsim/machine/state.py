@@ -54,6 +54,16 @@ class Light(NamedTuple):
     quadratic_attenuation: float = 0.0
 
 
+# glColorMaterial's mode -> properties of a Face that follow the current colour (section 2.14.3)
+TRACKED: dict[int, tuple[str, ...]] = {
+    gl.GL_AMBIENT: ("ambient",),
+    gl.GL_DIFFUSE: ("diffuse",),
+    gl.GL_AMBIENT_AND_DIFFUSE: ("ambient", "diffuse"),
+    gl.GL_SPECULAR: ("specular",),
+    gl.GL_EMISSION: ("emission",),
+}
+
+
 class Lighting(NamedTuple):
     """Group GL_LIGHTING_BIT, but for the material."""
 

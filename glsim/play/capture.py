@@ -25,8 +25,8 @@ def capture(calls: bool = False) -> Iterator[Frame]:
     machine = current_machine()
     machine.flush()
     frame = Frame(machine.device.width, machine.device.height)
-    before, recorder = machine.capturing, machine.recorder
-    machine.capturing = frame
+    before, recorder = machine.outlet.frame, machine.recorder
+    machine.outlet.frame = frame
     if calls:
         machine.record(Recorder(machine, frame))
     try:
@@ -34,7 +34,7 @@ def capture(calls: bool = False) -> Iterator[Frame]:
         machine.complete()
     finally:
         machine.record(recorder)
-        machine.capturing = before
+        machine.outlet.frame = before
         if before is not None:
             before.packets += frame.packets
 

@@ -38,18 +38,10 @@ def frame_of(
         raise ValueError(f"{what}: is a folder; name a program, a built-in scene or a mesh file")
     size = 512 if size is None else size
     title, draw = drawer(what, size)
-    from glsim.machine.current import current_machine, make_current
-    from glsim.machine.machine import Machine
-    from glsim.render.context import offscreen
+    from glsim.render.context import own_screen
 
-    before = current_machine()
-    screen = offscreen(size, size)
-    try:
-        with capture(calls=calls) as frame:
-            draw()
-    finally:
-        screen.release()
-        make_current(before if isinstance(before, Machine) else None)
+    with own_screen(size, size), capture(calls=calls) as frame:
+        draw()
     if not frame.packets:
         raise ValueError(f"{title} draws nothing here: does it open a context of its own?")
     return frame

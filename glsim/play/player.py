@@ -128,7 +128,7 @@ class Player:
         if self.unsaved_screens.pop(number, None) is None or loop.windows:
             return
         machine = screen.machine
-        if machine.capturing is not None and machine.capturing is self.frame:
+        if machine.outlet.frame is not None and machine.outlet.frame is self.frame:
             self._save_frame(self.frame, screen)
         if self.plan.out is not None:
             self._save_picture(picture_of(screen, screen.width, screen.height), _name(0, number))
@@ -168,16 +168,16 @@ class Player:
     def _watch(self, screen: Offscreen, size: tuple[int, int]) -> None:
         """Shade what a new context draws as the plan says, and capture what the first one draws."""
         machine = screen.machine
-        machine.change = reshaded(self.plan.shade, self.plan.lobe)
+        machine.outlet.change = reshaded(self.plan.shade, self.plan.lobe)
         if self.plan.capture is not None and self.frame is None:
-            self.frame = machine.capturing = Frame(*size)
+            self.frame = machine.outlet.frame = Frame(*size)
             if self.plan.capture_calls:
                 machine.record(Recorder(machine, self.frame))
 
     def _swapped(self, window: Window) -> None:
         """Called at each buffer swap: saves the picture if the last was saved more than PATIENCE seconds ago, so that a
         step that never ends leaves pictures too.  Also notes how much of the Frame is visible."""
-        if self.frame is not None and window.screen.machine.capturing is self.frame:
+        if self.frame is not None and window.screen.machine.outlet.frame is self.frame:
             self.frame.packets[:] = needed(self.frame.packets)
             self.swapped = len(self.frame.packets), len(self.frame.calls)
         now = time.monotonic()
@@ -224,7 +224,7 @@ class Player:
 
         screen: the one it was drawn on, if that is a screen of glsim.offscreen; None for a window.
         """
-        window = next((w for w in loop.windows.values() if w.screen.machine.capturing is frame), None)
+        window = next((w for w in loop.windows.values() if w.screen.machine.outlet.frame is frame), None)
         screen = window.screen if window is not None else screen
         if screen is None or self.plan.capture is None:
             return

@@ -123,7 +123,7 @@ def _materials(draw: Any, vertex: int) -> tuple[Material, Material]:
     if not lighting.enabled:
         return (_material(color, (0.0, 0.0, 0.0)),) * 2
     from glsim.machine.constants import GL_BACK, GL_FRONT
-    from glsim.machine.stage import TRACKED
+    from glsim.machine.state import TRACKED
 
     sides = draw.materials_at(np.array([vertex]))[0]
     found = []

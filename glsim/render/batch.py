@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine import constants as gl
-from glsim.machine.assembly import SEPARATE, assemble, complete, corners
+from glsim.machine.assembly import PLAIN, SEPARATE, complete, corners, primitives
 from glsim.machine.frame import Draw, Matrices, Vertices
 from glsim.machine.state import Color, Material, Snapshot
 
@@ -27,8 +27,6 @@ MERGE_BELOW = 4096
 
 # Rows of transforms and materials that one program has room for; a device may have room for less.
 MOST_OBJECTS = 256
-
-PLAIN = {1: gl.GL_POINTS, 2: gl.GL_LINES, 3: gl.GL_TRIANGLES}
 
 
 class Object:
@@ -230,13 +228,9 @@ def assembled(draw: Draw) -> Uint32:
 def _assembled(draw: Draw, first: int, count: int, keep: bool = False) -> Uint32:
     lighting = draw.state.lighting
     last = lighting.shade_model == gl.GL_FLAT or (lighting.enabled and lighting.two_side) or draw.indices is not None
-    if draw.indices is None:
-        pattern = assemble(draw.mode, count, last)
-        if pattern is None:
-            return np.arange(first, first + complete(draw.mode, count), dtype=np.uint32)
-        return pattern + np.uint32(first)
-    pattern = assemble(draw.mode, len(draw.indices), last)
-    if pattern is None and keep and first == 0 and complete(draw.mode, len(draw.indices)) == len(draw.indices):
-        return draw.indices  # the very same array, by which the GPU's copy is found again
-    chosen = draw.indices[: complete(draw.mode, len(draw.indices))] if pattern is None else draw.indices[pattern]
-    return chosen + np.uint32(first)
+    indices = draw.indices
+    if indices is not None:
+        count = len(indices)
+        if keep and first == 0 and draw.mode == PLAIN[corners(draw.mode)] and complete(draw.mode, count) == count:
+            return indices  # the very same array, by which the GPU's copy is found again
+    return primitives(draw.mode, count, indices, last) + np.uint32(first)

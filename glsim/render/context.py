@@ -6,6 +6,7 @@ import contextlib
 import ctypes
 import os
 import weakref
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import moderngl
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 
 from glsim.files import write_atomically
 from glsim.machine import constants as gl
-from glsim.machine.current import Place, current_machine, here, make_current
+from glsim.machine.current import Place, current_again, current_machine, here, make_current
 from glsim.machine.frame import Packet
 from glsim.machine.interrupts import uninterrupted
 from glsim.machine.machine import Machine
@@ -355,3 +356,17 @@ def offscreen(width: int, height: int, *, samples: int = 0, backend: str = "auto
     size or a number of samples that cannot be.
     """
     return Offscreen(width, height, samples, backend)
+
+
+@contextlib.contextmanager
+def own_screen(width: int, height: int, *, samples: int = 0, backend: str = "auto") -> Iterator[Offscreen]:
+    """A screen for the block alone, made with the options of ``offscreen``.
+
+    After the block it is released, and the gl commands go again to what they went to before.
+    """
+    with current_again():
+        screen = offscreen(width, height, samples=samples, backend=backend)
+        try:
+            yield screen
+        finally:
+            screen.release()

@@ -14,11 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine import constants as gl
-from glsim.machine.assembly import corners
+from glsim.machine.assembly import PLAIN, corners
 from glsim.machine.frame import Clear, Draw, Packet, Pixels
 from glsim.machine.interrupts import uninterrupted
 from glsim.machine.state import ColorBuffer, Depth, Lighting, Scissor, Snapshot, Stencil
-from glsim.render.batch import PLAIN, assembled, separate
+from glsim.render.batch import assembled, separate
 from glsim.render.context import Offscreen
 from glsim.render.lines import clip_positions, line_width, point_size, widened
 from glsim.render.outline import prepare

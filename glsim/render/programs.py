@@ -14,7 +14,7 @@ from glsim.files import data_folder
 from glsim.machine import constants as gl
 from glsim.machine.assembly import corners
 from glsim.machine.frame import Draw
-from glsim.machine.state import MAX_CLIP_PLANES, TEXTURE_UNITS, Combine, Light, Lighting, Snapshot, TextureUnit
+from glsim.machine.state import MAX_CLIP_PLANES, TEXTURE_UNITS, TRACKED, Combine, Light, Lighting, Snapshot, TextureUnit
 from glsim.machine.texture import CUBE
 from glsim.render.lines import widened
 
@@ -22,12 +22,9 @@ if TYPE_CHECKING:
     import moderngl
 
 NOTHING_TRACKED = (False, False, False, False)
-TRACKED: dict[int, tuple[bool, ...]] = {  # glColorMaterial's mode -> ambient, diffuse, specular, emission
-    gl.GL_AMBIENT: (True, False, False, False),
-    gl.GL_DIFFUSE: (False, True, False, False),
-    gl.GL_AMBIENT_AND_DIFFUSE: (True, True, False, False),
-    gl.GL_SPECULAR: (False, False, True, False),
-    gl.GL_EMISSION: (False, False, False, True),
+TRACKS: dict[int, tuple[bool, ...]] = {  # glColorMaterial's mode -> ambient, diffuse, specular, emission
+    mode: tuple(name in tracked for name in ("ambient", "diffuse", "specular", "emission"))
+    for mode, tracked in TRACKED.items()
 }
 
 
@@ -175,7 +172,7 @@ def unit_kind(number: int, unit: TextureUnit) -> UnitKind | None:
 def _lit(key: ProgramKey, state: Snapshot) -> ProgramKey:
     """The key with what lighting adds."""
     lighting = state.lighting
-    tracked = TRACKED[lighting.color_material_mode] if lighting.color_material else NOTHING_TRACKED
+    tracked = TRACKS[lighting.color_material_mode] if lighting.color_material else NOTHING_TRACKED
     front = tracked if lighting.color_material_face != gl.GL_BACK else NOTHING_TRACKED
     back = tracked if lighting.color_material_face != gl.GL_FRONT and lighting.two_side else NOTHING_TRACKED
     kinds = light_kinds(lighting)

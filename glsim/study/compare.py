@@ -182,13 +182,9 @@ def compare(
         return _compare_program(Path(what), tuple(modes), tuple(lobes), tell)
     tell("reading the scene")
     title, draw = drawer(what, size, lights, material, camera)
-    from glsim.machine.current import current_machine, make_current
-    from glsim.machine.machine import Machine
-    from glsim.render.context import offscreen
+    from glsim.render.context import own_screen
 
-    before = current_machine()
-    screen = offscreen(size, size, backend=backend)
-    try:
+    with own_screen(size, size, backend=backend) as screen:
         with capture(calls="native" in modes) as frame:
             draw()
         if not frame.packets:
@@ -200,9 +196,6 @@ def compare(
                     continue  # fixed function has no other lobe
                 tell(f"drawing {MODES[mode]}, {LOBES[lobe]}")
                 images[lobe, mode] = _picture(screen, frame, mode, lobe)
-    finally:
-        screen.release()
-        make_current(before if isinstance(before, Machine) else None)
     return Comparison(title, tuple(modes), tuple(lobes), images)
 
 
@@ -224,13 +217,13 @@ def _compare_radiosity(
     from glsim.radiosity import solve
     from glsim.radiosity.bake import toned
     from glsim.radiosity.lit import draw_lit
-    from glsim.render.context import offscreen
+    from glsim.render.context import own_screen
 
     result = solve(what, patches, progress=lambda stage, done, of: tell(f"{stage}: {100 * done // max(of, 1)} %"))
     screen_values = np.round(255.0 * toned(np.arange(256) / 255.0, 1.0)).astype(np.uint8)
     images = {}
     samples = 0 if "native" in modes else 4  # the driver's fixed function is drawn without
-    with offscreen(size, size, samples=samples) as screen:
+    with own_screen(size, size, samples=samples) as screen:
         with capture(calls="native" in modes) as frame:
             draw_lit(result, result.view(view), result.shown_white)
         for mode in modes:
@@ -240,7 +233,6 @@ def _compare_radiosity(
                 images["diffuse", mode] = np.asarray(result.picture(size, view, colors=colors, samples=samples))
             else:
                 images["diffuse", mode] = screen_values[_picture(screen, frame, mode, "blinn")]
-        screen.release()
     return Comparison(result.patches.scene.name, modes, ("diffuse",), images)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine import constants as gl
+from glsim.machine.current import current_again
 from glsim.machine.frame import Accum, Clear, Draw, Frame, Packet, Pixels, QueryMark, Where
 from glsim.machine.state import Scissor
 from glsim.play.frames import frame_of
@@ -38,13 +39,9 @@ class Prober:
     """Probes pixels of one frame.  The picture begins black; it has one sample a pixel."""
 
     def __init__(self, frame: Frame) -> None:
-        from glsim.machine.current import current_machine, make_current
-        from glsim.machine.machine import Machine
-
         self.frame = frame
-        before = current_machine()
-        self.screen: Offscreen = offscreen(frame.width, frame.height)
-        make_current(before if isinstance(before, Machine) else None)
+        with current_again():
+            self.screen: Offscreen = offscreen(frame.width, frame.height)
         self.inspector = Inspector(self.screen)
         reads = any(isinstance(packet, Pixels) and packet.copied for packet in frame.packets)
         self.pieces: list[list[Piece]] = []

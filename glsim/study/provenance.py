@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Generator, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -19,7 +20,7 @@ from numpy.typing import NDArray
 from glsim.gl.lists import numbers_called
 from glsim.machine import constants as gl
 from glsim.machine.commands import COMMANDS
-from glsim.machine.current import current_machine, make_current
+from glsim.machine.current import driving
 from glsim.machine.errors import GLError
 from glsim.machine.frame import Call, Frame, Moment, Trail
 from glsim.machine.machine import MAX_LIST_NESTING, Machine
@@ -330,14 +331,9 @@ class History:
 
 def _run(machine: Machine, call: Call) -> None:
     """Execute a call on a scratch machine; errors are ignored, because the program has already got them."""
-    current = current_machine()
-    make_current(machine)
-    try:
+    errors = GLError, TypeError, ValueError, IndexError, KeyError, OverflowError, NotImplementedError
+    with driving(machine), suppress(*errors):
         implementations[call.name](*call.arguments)
-    except (GLError, TypeError, ValueError, IndexError, KeyError, OverflowError, NotImplementedError):
-        pass
-    finally:
-        make_current(current if isinstance(current, Machine) else None)
 
 
 NAMES = ("modelview", "projection", "texture0", "texture1", "texture2", "texture3")

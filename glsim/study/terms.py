@@ -13,7 +13,7 @@ from glsim.files import write_atomically
 from glsim.machine.constants import GL_PHONG_LOBE_GLSIM
 from glsim.machine.frame import Frame
 from glsim.play.frames import frame_of
-from glsim.render.context import Offscreen, offscreen
+from glsim.render.context import own_screen
 from glsim.render.inspect import Inspector, Piece, Survey
 from glsim.shading import normalize
 from glsim.study.fragments import Shaded, shade
@@ -93,18 +93,10 @@ def terms(what: Any, **options: Any) -> Terms:
 
     what: a Frame (glsim.capture), or anything else that play.frames.frame_of takes, with its options.
     """
-    from glsim.machine.current import current_machine, make_current
-    from glsim.machine.machine import Machine
-
     frame: Frame = frame_of(what, **options)
-    before = current_machine()
-    screen: Offscreen = offscreen(frame.width, frame.height)
-    try:
+    with own_screen(frame.width, frame.height) as screen:
         survey = Inspector(screen).survey(frame.packets)
         picture = screen.pixels()
-    finally:
-        screen.release()
-        make_current(before if isinstance(before, Machine) else None)
     return taken_apart(survey, picture)
 
 
