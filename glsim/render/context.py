@@ -121,6 +121,7 @@ class Offscreen:
             self._depths: list[ctypes.c_uint] = []  # names of the renderbuffers of depth and stencil
             self._target = self._framebuffer(self.samples)
             self._resolved = self._framebuffer(0) if self.samples else self._target
+            self.ctx.gc_mode = "context_gc"  # buffers of lists that are gone are released when the context is current
             self._renderer = Renderer(self.ctx, self._raw, (self.width, self.height))
             self.machine = Machine(self)
             self.make_current()
@@ -134,7 +135,7 @@ class Offscreen:
         return int(wanted)
 
     def _framebuffer(self, samples: int, probes: int = 0) -> moderngl.Framebuffer:
-        """Colour of 8 bits each, depth of 24 and stencil of 8 bits; and what shaders/probe.glsl writes, as floats."""
+        """Colour of 8 bits each, depth of 24 and stencil of 8 bits; and what shaders/probe.frag writes, as floats."""
         size, raw = (self.width, self.height), self._raw
         colors = [self.ctx.renderbuffer(size, 4, samples=samples)]
         colors += [self.ctx.renderbuffer(size, 4, dtype="f4") for _ in range(probes)]

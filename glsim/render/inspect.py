@@ -25,7 +25,7 @@ from glsim.render.outline import prepare
 from glsim.render.pixels import Fragments, Reader, as_fragments
 
 Float = NDArray[np.float64]
-PROBES = 6  # outputs of shaders/probe.glsl
+PROBES = 6  # outputs of shaders/probe.frag
 RED_GREEN_BLUE = np.eye(3, dtype=np.float32)
 
 
@@ -173,10 +173,10 @@ class Inspector:
         one = piece.only(primitive).draw
         with uninterrupted(), self.screen.ctx:
             self.screen._target.use()
-            self.renderer.fixed = None
+            self.renderer.core.forget()
             if piece.pixels is not None:
                 self.renderer.textures.rectangle(piece.pixels.image)
-            self.renderer._draw([one.with_state(one.state._replace(scissor=Scissor(True, x, y, 1, 1)))], piece.pixels)
+            self.renderer.draw([one.with_state(one.state._replace(scissor=Scissor(True, x, y, 1, 1)))], piece.pixels)
 
     # ------------------------------------------------------------ the whole picture
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from glsim.files import data_folder
 from glsim.machine import constants as gl
@@ -17,9 +17,6 @@ from glsim.machine.frame import Draw
 from glsim.machine.state import MAX_CLIP_PLANES, TEXTURE_UNITS, Combine, Light, Lighting, Snapshot, TextureUnit
 from glsim.machine.texture import CUBE
 from glsim.render.lines import widened
-
-if TYPE_CHECKING:
-    import moderngl
 
 NOTHING_TRACKED = (False, False, False, False)
 TRACKED: dict[int, tuple[bool, ...]] = {  # glColorMaterial's mode -> ambient, diffuse, specular, emission
@@ -254,7 +251,6 @@ def constants(key: ProgramKey) -> str:
         lines.append(f"const {size} {name} = {size}({', '.join(map(_glsl, column))});")
     lines += [f"#define PIXELS_{name.upper() or 'NONE'} {number}" for name, number in PIXELS.items()]
     lines.append(f"#define PIXELS {key.pixels}")
-    lines.append(f"#define PROBE {int(key.probe)}")
     return "\n".join(lines + _unit_constants(key.units)) + "\n"
 
 
@@ -327,47 +323,12 @@ def expand(name: str) -> tuple[str, tuple[str, ...]]:
     return "\n".join(read(name)) + "\n", ("constants", *files)
 
 
+def root_files(key: ProgramKey) -> dict[str, str]:
+    """By stage the file in shaders/ that includes all others."""
+    return {"vertex": "main.vert", "fragment": "probe.frag" if key.probe else "main.frag"}
+
+
 def sources(key: ProgramKey) -> dict[str, str]:
     """The exact GLSL of a key: {"vertex": ..., "fragment": ...}."""
     front = "#version 330 core\n" + constants(key)
-    return {"vertex": front + expand("main.vert")[0], "fragment": front + expand("main.frag")[0]}
-
-
-BINDINGS = {"Transforms": 0, "Materials": 1, "Lights": 2, "Raster": 3, "Texturing": 4}
-RECTANGLE_UNIT = TEXTURE_UNITS  # the texture unit beyond those of the API, for pixel rectangles
-
-
-def build(ctx: moderngl.Context, key: ProgramKey) -> moderngl.Program:
-    """Compile and link.  Raises ShaderError that names the file in shaders/ and the line."""
-    import moderngl
-
-    text = sources(key)
-    try:
-        program = ctx.program(vertex_shader=text["vertex"], fragment_shader=text["fragment"])
-    except moderngl.Error as error:
-        raise ShaderError(_with_file_names(str(error))) from None
-    for name, binding in BINDINGS.items():
-        block = program.get(name, None)
-        if block is not None:
-            block.binding = binding  # type: ignore[union-attr]
-    samplers = {f"texture{number}": number for number in range(TEXTURE_UNITS)}
-    for name, number in {**samplers, "rectangle": RECTANGLE_UNIT}.items():
-        if name in program:
-            program[name] = number
-    return program
-
-
-class ShaderError(Exception):
-    """A GLSL source in shaders/ does not compile."""
-
-
-def _with_file_names(message: str) -> str:
-    """'0:2007(5): error' or '0(2007) : error' -> 'state.glsl:7: error': #line's numbers become files again."""
-    name = "main.frag" if "fragment_shader" in message or "fragment shader" in message.lower() else "main.vert"
-    files = expand(name)[1]
-
-    def replace(found: re.Match[str]) -> str:
-        number, line = divmod(int(found[1]), 1000)
-        return f"{files[number]}:{line}:" if number < len(files) else found[0]
-
-    return re.sub(r"^\d+[:(](\d+)(?:\(\d+\)|\))?\s*:", replace, message, flags=re.MULTILINE)
+    return {stage: front + expand(name)[0] for stage, name in root_files(key).items()}
