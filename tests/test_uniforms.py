@@ -11,8 +11,10 @@ import pytest
 
 import glsim
 from glsim.gl import *
+from glsim.machine.state import Face, Material
 from glsim.play.capture import capture
 from glsim.render import uniforms
+from glsim.render.batch import Object
 
 GL_UNIFORM_OFFSET = 0x8A3B
 
@@ -131,3 +133,15 @@ def test_explain_names_members(screen: glsim.Offscreen) -> None:
             assert name.rpartition(".")[2].partition("[")[0] in text, name
     everywhere = {entry.name for explanation in explained for entry in explanation.uniforms}
     assert {"point_size", "line_width", "fog_density", "lights[7].spot_direction", "units[2].matrix"} <= everywhere
+
+
+def test_materials_by_the_lectures_names(screen: glsim.Offscreen) -> None:
+    """Objects with the same material share what is packed, but each has its own colour."""
+    sides = [Face(*((k + n / 8,) * 4 for n in range(4)), shininess=10.0 * k) for k in (1, 2)]
+    material, matrices = Material(*sides), screen.machine.matrices()
+    red, green = (1.0, 0.0, 0.0, 1.0), (0.0, 1.0, 0.0, 1.0)
+    rows = uniforms.materials([Object(matrices, material, red), Object(matrices, material, green)])
+    for member, field in uniforms.FACE.items():
+        for side, face in (("front", sides[0]), ("back", sides[1])):
+            assert (rows[side][member] == getattr(face, field)).all(), (side, member)
+    assert rows["color"].tolist() == [list(red), list(green)]

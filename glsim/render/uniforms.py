@@ -71,7 +71,7 @@ TRANSFORM, MATERIAL = _state["Transform"], _state["Material"]  # both fill ROW_S
 LIGHTS, RASTER, TEXTURING = _state["Lights"], _raster["Raster"], _unit["Texturing"]
 ROW_SIZE = 256
 
-# members of struct Face and of struct Light -> fields of machine.state.Face and Light
+# members of struct Face and of struct Light -> fields of machine.state.Face, in the same order, and of Light
 FACE = {"k_a": "ambient", "k_d": "diffuse", "k_s": "specular", "emission": "emission", "n": "shininess"}
 INTENSITIES = {"I_a": "ambient", "I_d": "diffuse", "I_s": "specular"}
 ATTENUATION = ("constant_attenuation", "linear_attenuation", "quadratic_attenuation")
@@ -99,11 +99,7 @@ def materials(objects: Sequence[Object]) -> Rows:
         if id(thing.material) not in number:
             number[id(thing.material)] = len(different)
             different.append(thing.material)
-    table = np.zeros(len(different), MATERIAL)
-    for side in ("front", "back"):
-        faces, rows = [getattr(material, side) for material in different], table[side]
-        for member, field in FACE.items():
-            rows[member] = [getattr(face, field) for face in faces]
+    table = np.array([(*material, 0.0, 0.0) for material in different], MATERIAL)  # the fields of a Face are FACE's
     if len(different) != len(objects):
         table = table[[number[id(thing.material)] for thing in objects]]
     table["color"] = [thing.color or (0.0, 0.0, 0.0, 0.0) for thing in objects]
