@@ -21,6 +21,7 @@ from glsim.machine.machine import Machine
 from glsim.render.device import forked, open_loader, refuse_fork
 from glsim.render.draw import Renderer
 from glsim.render.egl import EGLLoader
+from glsim.render.gpu import Framebuffer
 from glsim.render.osmesa import OSMesaLoader
 from glsim.render.raw import RawGL
 
@@ -134,12 +135,12 @@ class Offscreen:
             raise ValueError(f"glsim.offscreen: samples must be one of {choices} on this device, not {wanted!r}")
         return int(wanted)
 
-    def _framebuffer(self, samples: int, probes: int = 0) -> moderngl.Framebuffer:
+    def _framebuffer(self, samples: int, probes: int = 0) -> Framebuffer:
         """Colour of 8 bits each, depth of 24 and stencil of 8 bits; and what shaders/probe.frag writes, as floats."""
         size, raw = (self.width, self.height), self._raw
         colors = [self.ctx.renderbuffer(size, 4, samples=samples)]
         colors += [self.ctx.renderbuffer(size, 4, dtype="f4") for _ in range(probes)]
-        framebuffer = self.ctx.framebuffer(colors)
+        framebuffer: Framebuffer = self.ctx.framebuffer(colors)
         framebuffer.use()
         name = ctypes.c_uint()
         raw.glGenRenderbuffers(1, ctypes.byref(name))
@@ -150,7 +151,7 @@ class Offscreen:
         self._clear(framebuffer)
         return framebuffer
 
-    def _clear(self, framebuffer: moderngl.Framebuffer) -> None:
+    def _clear(self, framebuffer: Framebuffer) -> None:
         """Black, transparent, far away."""
         framebuffer.use()
         raw = self._raw

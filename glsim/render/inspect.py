@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,10 +19,12 @@ from glsim.machine.frame import Clear, Draw, Packet, Pixels
 from glsim.machine.interrupts import uninterrupted
 from glsim.machine.state import ColorBuffer, Depth, Lighting, Scissor, Snapshot, Stencil
 from glsim.render.batch import PLAIN, assembled, separate
-from glsim.render.context import Offscreen
 from glsim.render.lines import clip_positions, line_width, point_size, widened
 from glsim.render.outline import prepare
 from glsim.render.pixels import Fragments, Reader, as_fragments
+
+if TYPE_CHECKING:
+    from glsim.render.context import Offscreen
 
 Float = NDArray[np.float64]
 PROBES = 6  # outputs of shaders/probe.frag
