@@ -135,7 +135,7 @@ def program_key(state: Snapshot, corners: int = 3) -> ProgramKey:
         points=corners == 1,
         areas=corners == 3,
     )
-    if state.lighting.enabled or state.texture.in_use:  # who needs normals
+    if state.lighting.enabled or state.texture.in_use:  # only they need normals
         transform = state.transform
         common = common._replace(
             normalize=transform.normalize, rescale_normal=transform.rescale_normal and not transform.normalize
@@ -148,6 +148,7 @@ def program_key(state: Snapshot, corners: int = 3) -> ProgramKey:
 
 @lru_cache(maxsize=256)
 def unit_kind(number: int, unit: TextureUnit) -> UnitKind | None:
+    """What a texture unit asks for; None if it is not in use."""
     texture = unit.active
     if texture is None:
         return None
@@ -170,7 +171,7 @@ def unit_kind(number: int, unit: TextureUnit) -> UnitKind | None:
 
 
 def _lit(key: ProgramKey, state: Snapshot) -> ProgramKey:
-    """The key with what lighting adds."""
+    """The key with the fields that matter only while GL_LIGHTING is on."""
     lighting = state.lighting
     tracked = TRACKED[lighting.color_material_mode] if lighting.color_material else NOTHING_TRACKED
     front = tracked if lighting.color_material_face != gl.GL_BACK else NOTHING_TRACKED
@@ -192,6 +193,8 @@ def _lit(key: ProgramKey, state: Snapshot) -> ProgramKey:
 
 @lru_cache(maxsize=64)
 def light_kinds(lighting: Lighting) -> tuple[LightKind, ...]:
+    """One for each light that is on, in their order."""
+
     def kind(number: int, light: Light) -> LightKind:
         positional = light.position[3] != 0.0
         factors = (light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation)
@@ -220,7 +223,7 @@ def _glsl(value: bool | int) -> str:
 
 
 def constants(key: ProgramKey) -> str:
-    """The key as GLSL: what stands in front of the sources."""
+    """The key as GLSL, to stand in front of the sources; shaders/README.md tells what each constant means."""
     lines = [f"#define SHADED {'flat' if key.flat else 'smooth'}", f"const int OBJECTS = {key.objects};"]
     lines.append(f"#define CLIPPING {int(any(key.clip_plane))}")
     lines.append(f"const bool MANY_OBJECTS = {_glsl(key.objects > 1)};")

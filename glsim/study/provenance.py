@@ -1,8 +1,17 @@
 """Who set what: for each piece of state the call, with the user's line, that set it last.
 
 A path such as ("lighting", "lights", 0, "position") names a piece of state: fields of machine.state.Snapshot, or
-("material", "front", "diffuse").  Whether a call sets a path, even to the value it had, is found by running it again on
-a machine whose every piece of state is an object of its own: what is another object afterwards was set.
+("material", "front", "diffuse").
+
+A call may set a piece of state to the value that it has already.  Comparing values does not show that, so the call is
+made again on a second machine, whose state is a copy in which every piece is an object that nothing else refers to.
+Whatever is another object after the call was set by it:
+
+    piece = _own((0.2, 0.2, 0.2, 1.0))      # an equal tuple, but not the same object
+    state = Lighting(ambient=piece)
+    ... the machine runs glLightModelfv(GL_LIGHT_MODEL_AMBIENT, [0.2, 0.2, 0.2, 1.0]) ...
+    state.ambient == piece                  # True: the value has not changed
+    state.ambient is piece                  # False: so this call set ("lighting", "ambient")
 """
 
 from __future__ import annotations
@@ -234,7 +243,11 @@ class History:
             before = after
 
     def _called(self, number: int, call: Call, before: Moment, after: Moment) -> Generator[Step, None, list[Path]]:
-        """What a display list does, call by call; whatever that leaves unexplained is the work of the list."""
+        """Follow a glCallList into its list, one step for each call there.
+
+        before, after: the state around the whole glCallList.  Pieces of state that changed, but
+        that no call of the list was seen to set, are put down to the glCallList itself.
+        """
         old = dict(self.found.setters)
         machine = self.scratch.at(before)
         for which in self._called_by(call):
