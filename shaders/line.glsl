@@ -1,6 +1,15 @@
 // Lines that are wide, smooth or stippled.  First a line is clipped, then it gets its width (OpenGL 1.5 sections 2.11
 // and 3.4.2).  The quad of a wide line reaches from end to end of the whole line, so that colours are interpolated as
-// ever; fragments beyond the part that clipping leaves are discarded.
+// ever; line_fragment.glsl discards the fragments beyond the part that clipping leaves.
+
+#include "margin.glsl"
+
+in vec4 other_end;              // the line's other end, in object space
+in vec2 line_corner;            // x: -1 at the line's first end, 1 at the second; y: -1 and 1 on its two sides
+in float line_begin;            // only if LINE_STIPPLE: pixels of the pattern before the line
+
+flat out vec4 line_ends;        // both ends of what clipping leaves of the line, in pixels: xy the first, zw the second
+flat out float line_pixels;     // only if LINE_STIPPLE: pixels of the pattern before the line
 
 // The part of a line that is inside, as numbers in [0, 1] from its first end to its second; x > y if nothing is.
 // a, b: distances of the ends from a plane; what has a negative distance is outside.
@@ -11,12 +20,12 @@ void cut(inout vec2 part, float a, float b)
     else if (b < 0.0) part.y = min(part.y, a / (a - b));
 }
 
-vec2 on_screen(vec4 P)  // clip space -> pixels
+vec2 on_screen(vec4 C)          // clip space -> pixels
 {
-    return viewport.xy + (0.5 * P.xy / P.w + 0.5) * viewport.zw;
+    return viewport.xy + (0.5 * C.xy / C.w + 0.5) * viewport.zw;
 }
 
-// Whether something is left of the line from A to B, in clip space, and both ends of that in pixels.
+// Whether clipping leaves something of the line from A to B, in clip space, and both ends of that in pixels.
 // A_eye and B_eye: in eye space
 bool visible(vec4 A, vec4 B, vec4 A_eye, vec4 B_eye, out vec4 ends)
 {
@@ -36,15 +45,30 @@ bool visible(vec4 A, vec4 B, vec4 A_eye, vec4 B_eye, out vec4 ends)
 
 // A wide line is a parallelogram: its ends are moved up and down if it is flatter than 45 degrees, else left and right.
 // A smooth line is a rectangle, half a pixel larger on all sides (section 3.4.4).
-// P: one end in clip space; ends: see visible; corner: x is -1 at the line's first end and 1 at the second, y the side
-vec4 widen(vec4 P, vec4 ends, vec2 corner)
+// C: one end in clip space; ends: see visible; corner: see line_corner
+vec4 widen(vec4 C, vec4 ends, vec2 corner)
 {
-    vec2 way = ends.zw - ends.xy, moved;
+    vec2 direction = ends.zw - ends.xy, moved;
     if (SMOOTH_LINES) {
-        way = way == vec2(0.0) ? vec2(1.0, 0.0) : normalize(way);
-        moved = 0.5 * corner.x * way + corner.y * (0.5 * line.x + 0.5) * vec2(-way.y, way.x);
+        direction = direction == vec2(0.0) ? vec2(1.0, 0.0) : normalize(direction);
+        vec2 across = vec2(-direction.y, direction.x);
+        moved = 0.5 * corner.x * direction + corner.y * (0.5 * line_width + 0.5) * across;
     }
-    else moved = 0.5 * corner.y * line.x * (abs(way.x) >= abs(way.y) ? vec2(0.0, 1.0) : vec2(1.0, 0.0));
-    P.xy += moved * 2.0 / viewport.zw * P.w;
-    return P;
+    else {
+        bool is_flat = abs(direction.x) >= abs(direction.y);
+        moved = 0.5 * corner.y * line_width * (is_flat ? vec2(0.0, 1.0) : vec2(1.0, 0.0));
+    }
+    C.xy += moved * 2.0 / viewport.zw * C.w;
+    return C;
+}
+
+// Where this vertex of a line is drawn.  P: in object space; C: in clip space
+vec4 line_vertex(Transform transform, vec4 P, vec4 C)
+{
+    if (LINE_STIPPLE) line_pixels = line_begin;
+    bool is_first = line_corner.x < 0.0;
+    vec4 A = is_first ? P : other_end, B = is_first ? other_end : P;
+    mat4 to_clip = transform.modelview_projection, to_eye = transform.modelview;
+    if (!visible(to_clip * A, to_clip * B, to_eye * A, to_eye * B, line_ends)) return OUTSIDE;
+    return WIDE_LINES ? with_margin(widen(C, line_ends, line_corner)) : C;
 }

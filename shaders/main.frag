@@ -9,7 +9,8 @@
 #include "pixels.glsl"
 #include "fog.glsl"
 #include "tests.glsl"
-#include "smooth.glsl"
+#include "line_fragment.glsl"
+#include "point_fragment.glsl"
 
 SHADED in vec4 front_color;
 SHADED in vec3 front_highlight;
@@ -19,29 +20,22 @@ SHADED in vec3 back_highlight;
 in vec3 eye_position;
 in vec3 eye_normal;
 in vec4 vertex_color;
-#if TEXTURES
-in vec4 texture_coordinates[4];
-#endif
 in float fog_distance;
-flat in vec4 line_ends;
-flat in float line_pixels;
-flat in float point_diameter;
 flat in uint object_row;
 
 layout(location = 0) out vec4 fragment_color;
 
-#include "probe.glsl"
+float covered = 1.0;    // how much of the pixel a smooth line or point covers; it multiplies the fragment's alpha
 
 void main()
 {
-    if (WIDE_LINES && !SMOOTH_LINES && beyond_ends(line_ends, gl_FragCoord.xy)) discard;
-    if (LINE_STIPPLE && !SMOOTH_LINES && !line_pattern(line_pixels + line_fragment(line_ends, gl_FragCoord.xy))) discard;
+    if ((WIDE_LINES || LINE_STIPPLE) && !SMOOTH_LINES && line_leaves_out(gl_FragCoord.xy)) discard;
     if (POLYGON_STIPPLE && !polygon_pattern(gl_FragCoord.xy)) discard;
 
+    // lighting: what the vertices computed, or for Phong shading the equation itself
     bool back = TWO_SIDE && AREAS && !gl_FrontFacing;
     vec4 color = back ? back_color : front_color;
     vec3 highlight = back ? back_highlight : front_highlight;
-
     if (LIGHTING && PER_FRAGMENT) {
         Material material = materials[object_row];
         vec3 N = normalize(eye_normal);
@@ -61,15 +55,12 @@ void main()
 #endif
     if (SEPARATE_SPECULAR || COLOR_SUM) color.rgb = min(color.rgb + highlight, 1.0);
     if (FOG != FOG_OFF) color.rgb = mix(fog_color.rgb, color.rgb, fog_factor(fog_distance));
-    float covered = 1.0;
     if (SMOOTH_LINES || POINT_SMOOTH) {
-        covered = SMOOTH_LINES ? line_coverage(line_ends, gl_FragCoord.xy, line_pixels) : point_coverage(point_diameter);
+        if (SMOOTH_LINES) covered = line_coverage(line_ends, gl_FragCoord.xy, line_pixels);
+        else covered = point_coverage(point_diameter);
         if (covered == 0.0) discard;
         color.a *= covered;
     }
     if (ALPHA_FUNC != GL_ALWAYS && !alpha_test(color.a)) discard;
     fragment_color = color;
-#if PROBE
-    probe(covered);
-#endif
 }

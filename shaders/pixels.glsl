@@ -5,6 +5,6 @@ uniform sampler2D rectangle;
 
 vec4 pixel()
 {
-    return texelFetch(rectangle, ivec2(gl_FragCoord.xy) - ivec2(rectangle_origin.xy), 0);
+    return texelFetch(rectangle, ivec2(gl_FragCoord.xy) - ivec2(rectangle_origin), 0);
 }
 #endif

@@ -27,16 +27,20 @@ struct Material {
 // glLight; all vectors in eye space
 struct Light {
     vec4 position;      // xyz: where the light is, or for a directional light the unit vector towards it
-    vec4 I_a;           // ambient, diffuse and specular intensity
-    vec4 I_d;
-    vec4 I_s;
-    vec4 spot;          // xyz: unit direction in which the spot shines; w: its exponent
-    vec4 attenuation;   // x, y, z: constant, linear, quadratic; w: cosine of the spot's cutoff angle
+    vec4 I_a;           // I_a,light: ambient intensity, what this light adds to the scene's ambient glow
+    vec4 I_d;           // diffuse intensity
+    vec4 I_s;           // specular intensity
+    vec3 spot_direction;            // unit vector, in which the spot shines
+    float spot_exponent;
+    float constant_attenuation;     // k_0, k_1 and k_2 of 1 / (k_0 + k_1 d + k_2 d^2)
+    float linear_attenuation;
+    float quadratic_attenuation;
+    float cos_spot_cutoff;          // cosine of the angle between the spot's axis and the edge of its cone
 };
 
 layout(std140) uniform Transforms { Transform transforms[OBJECTS]; };
 layout(std140) uniform Materials { Material materials[OBJECTS]; };
 layout(std140) uniform Lights {
     Light lights[8];
-    vec4 scene_ambient;  // the ambient glow I_a: glLightModel(GL_LIGHT_MODEL_AMBIENT)
+    vec4 I_a_scene;     // I_a,scene: the ambient glow, glLightModel(GL_LIGHT_MODEL_AMBIENT)
 };

@@ -11,7 +11,7 @@ bool polygon_pattern(vec2 pixel)
 // glAlphaFunc: the reference value is compared with an 8-bit alpha
 bool alpha_test(float alpha)
 {
-    float a = floor(alpha * 255.0 + 0.5), reference = floor(fog.w * 255.0 + 0.5);
+    float a = floor(alpha * 255.0 + 0.5), reference = floor(alpha_reference * 255.0 + 0.5);
     if (ALPHA_FUNC == GL_NEVER) return false;
     if (ALPHA_FUNC == GL_LESS) return a < reference;
     if (ALPHA_FUNC == GL_EQUAL) return a == reference;

@@ -5,6 +5,13 @@
 
 #if TEXTURES
 
+in vec4 texcoord0;              // glMultiTexCoord; only of units in use
+in vec4 texcoord1;
+in vec4 texcoord2;
+in vec4 texcoord3;
+
+out vec4 texture_coordinates[4];
+
 vec4 generate(int unit, vec4 given, vec4 P, vec4 E, vec3 N)
 {
     vec4 result = given;
@@ -20,6 +27,23 @@ vec4 generate(int unit, vec4 given, vec4 P, vec4 E, vec3 N)
         if (mode == GL_NORMAL_MAP) result[k] = N[k];
     }
     return result;
+}
+
+// Each unit's coordinates: given or generated, and multiplied by the texture matrix
+void texture_vertex(Transform transform, vec4 P, vec4 E, vec3 N)
+{
+#if TEXTURE_0
+    texture_coordinates[0] = transform.texture * generate(0, texcoord0, P, E, N);
+#endif
+#if TEXTURE_1
+    texture_coordinates[1] = units[1].matrix * generate(1, texcoord1, P, E, N);
+#endif
+#if TEXTURE_2
+    texture_coordinates[2] = units[2].matrix * generate(2, texcoord2, P, E, N);
+#endif
+#if TEXTURE_3
+    texture_coordinates[3] = units[3].matrix * generate(3, texcoord3, P, E, N);
+#endif
 }
 
 #endif

@@ -18,6 +18,8 @@ uniform SAMPLER_3 texture3;
 
 #if TEXTURES
 
+in vec4 texture_coordinates[4];
+
 vec4 texels[4];         // what each unit reads
 vec4 primary_color;     // the fragment's colour before texturing
 
@@ -113,8 +115,8 @@ vec4 combine(int unit, vec4 C)
         argument_rgb(0, unit, C), argument_rgb(1, unit, C), argument_rgb(2, unit, C));
     float alpha = combined(COMBINE_ALPHA[unit], vec3(argument_alpha(0, unit, C)),
         vec3(argument_alpha(1, unit, C)), vec3(argument_alpha(2, unit, C))).x;
-    if (COMBINE_RGB[unit] == GL_DOT3_RGBA) return vec4(rgb, rgb.r) * units[unit].scale.xxxx;
-    return vec4(rgb * units[unit].scale.x, alpha * units[unit].scale.y);
+    if (COMBINE_RGB[unit] == GL_DOT3_RGBA) return vec4(rgb, rgb.r) * units[unit].rgb_scale;
+    return vec4(rgb * units[unit].rgb_scale, alpha * units[unit].alpha_scale);
 }
 
 // ---------------------------------------------------------------- all environments

@@ -2,7 +2,8 @@
 
 struct Unit {
     vec4 environment_color;     // glTexEnv(GL_TEXTURE_ENV_COLOR)
-    vec4 scale;                 // x: GL_RGB_SCALE, y: GL_ALPHA_SCALE
+    float rgb_scale;            // glTexEnv(GL_RGB_SCALE)
+    float alpha_scale;          // glTexEnv(GL_ALPHA_SCALE)
     vec4 object_plane[4];       // glTexGen for s, t, r, q
     vec4 eye_plane[4];          // in eye space
     mat4 matrix;                // glMatrixMode(GL_TEXTURE); not for unit 0, whose matrix goes with the object

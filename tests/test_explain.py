@@ -70,7 +70,7 @@ def test_who_set_what(screen: glsim.Offscreen) -> None:
     assert lines(modelview) == [line_of("identity"), line_of("camera"), line_of("scale")]
     assert modelview.origins[1].text.startswith("gluLookAt(0, 0, 5")
     assert lines(setting(first, "material.front.k_d")) == [line_of("material")]
-    assert setting(first, "scene_ambient").origins == ()
+    assert setting(first, "I_a_scene").origins == ()
     color = setting(first, "color")
     assert lines(color) == [line_of("colour")]
     assert "no effect" in color.note
@@ -97,8 +97,8 @@ def test_lists_attributes_and_what_was_before(screen: glsim.Offscreen) -> None:
     shininess = setting(found, "material.front.n")
     assert lines(shininess) == [line_of("in the list")]
     assert "glCallList(1)" in shininess.origins[0].through
-    assert setting(found, "fog density").value == "0.5"
-    assert lines(setting(found, "fog density")) == [line_of("density")]
+    assert setting(found, "fog_density").value == "0.5"
+    assert lines(setting(found, "fog_density")) == [line_of("density")]
     assert setting(found, "LIGHTING").origins[0].text == "before the recording began"
 
 

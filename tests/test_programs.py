@@ -11,7 +11,7 @@ import glsim
 from glsim.files import data_folder
 from glsim.gl import *
 from glsim.play.capture import capture
-from glsim.render import programs
+from glsim.render import compile, programs
 from glsim.render.batch import Plan, plans
 
 
@@ -60,7 +60,7 @@ def test_program_source_is_the_glsl_of_the_present_state(screen: glsim.Offscreen
 
 def test_every_line_of_the_sources_keeps_its_file_and_number() -> None:
     """Walking the expanded text with #line gives back each line of each file in shaders/."""
-    for name in ("main.vert", "main.frag"):
+    for name in ("main.vert", "main.frag", "probe.frag"):
         text, files = programs.expand(name)
         number, line = 0, 0
         for row in text.splitlines():
@@ -84,8 +84,8 @@ def test_a_broken_shader_is_named_with_file_and_line(
     monkeypatch.setattr(programs, "data_folder", lambda kind: tmp_path)
     programs.expand.cache_clear()
     try:
-        with screen.ctx, pytest.raises(programs.ShaderError, match=rf"specular\.glsl:{at + 1}:"):
-            programs.build(screen.ctx, key())
+        with screen.ctx, pytest.raises(compile.ShaderError, match=rf"specular\.glsl:{at + 1}:"):
+            compile.build(screen.ctx, key())
     finally:
         programs.expand.cache_clear()
 

@@ -1,4 +1,4 @@
-"""Planning: which Draws go to the GPU together.
+"""Planning: which Draws are sent to the GPU together.
 
 Neighbouring Draws that make the same kind of primitive under the same state differ only in matrices and materials.
 Those become rows of two buffers, each vertex carries the number of its row, and the Draws become one.  Draws of the
@@ -30,7 +30,7 @@ MOST_OBJECTS = 256
 
 
 class Object:
-    """What Draws of one batch may differ in: a row of the Transforms and of the Materials."""
+    """What the Draws of one batch may differ in: it fills one row of the uniform blocks Transforms and Materials."""
 
     __slots__ = ("color", "material", "matrices")
 
@@ -38,6 +38,7 @@ class Object:
         self.matrices, self.material, self.color = matrices, material, color
 
     def same(self, other: Object) -> bool:
+        """Whether both are made of the very same matrices, material and colour, so that one row can serve for both."""
         a, b = self.matrices, other.matrices
         same = a[0] is b[0] and a[1] is b[1] and a[2] is b[2]
         return same and self.material is other.material and self.color is other.color
@@ -45,7 +46,11 @@ class Object:
 
 @dataclass
 class Batch:
-    """Draws that become one call: ``objects`` rows from ``base``, ``count`` indices from ``start``."""
+    """Draws that become one call.
+
+    base, objects: the first of their rows in Transforms and Materials, and how many; start, count: the first of their
+    indices in the plan's, and how many.  corners: of each primitive.
+    """
 
     state: Snapshot
     corners: int
@@ -61,8 +66,8 @@ class Batch:
 class Plan:
     """Consecutive batches over one block of vertices.
 
-    rows: object of each vertex relative to its batch, empty if all are 0; indices: of all batches.
-    instances: each batch draws all its indices once for every object.
+    rows: for each vertex the number of its object in its batch, (vertices,), or empty if all are 0.  indices: of all
+    batches, one after the other.  instances: whether each batch draws all its indices once for every object.
     """
 
     vertices: Vertices
@@ -77,7 +82,10 @@ class Plan:
 
 
 def plans(draws: Sequence[Draw], limit: int) -> tuple[list[Object], list[Plan]]:
-    """All objects that ``draws`` use, and how to draw them; no batch has more than ``limit`` objects."""
+    """The objects that ``draws`` use, and the plans in whose order they are drawn.
+
+    No batch has more than ``limit`` objects.
+    """
     objects: list[Object] = []
     result = []
     for _, group in groupby(draws, key=_grouping):
@@ -116,6 +124,7 @@ def _instances(draws: list[Draw], limit: int, objects: list[Object]) -> Plan:
 
 
 def _alike(a: Draw, b: Draw) -> bool:
+    """Whether two Draws have the same state and the same texture matrices of units 1 to 3."""
     same = a.state is b.state or a.state == b.state
     return same and a.matrices[3:] == b.matrices[3:]
 
@@ -164,7 +173,7 @@ def _fits(batch: Batch, draw: Draw, changes: int, limit: int) -> bool:
 
 
 def _row(objects: list[Object], batch: Batch, thing: Object) -> int:
-    """The row of an object in the batch; the last row serves again if it is the same."""
+    """The row of an object in the batch: a new one, unless the last object is the same."""
     if not batch.objects or not objects[-1].same(thing):
         objects.append(thing)
         batch.objects += 1
@@ -172,7 +181,7 @@ def _row(objects: list[Object], batch: Batch, thing: Object) -> int:
 
 
 def separate(draw: Draw, limit: int) -> list[Draw]:
-    """``draw``, or if it uses more than ``limit`` materials the same primitives as several Draws that do not."""
+    """``draw`` itself, or the same primitives as several Draws if it uses more than ``limit`` materials."""
     changes = draw.material_changes()
     if len(changes) < limit or len({material for _, material in changes}) < limit:
         return [draw]
@@ -190,6 +199,7 @@ def separate(draw: Draw, limit: int) -> list[Draw]:
 
 
 def _rows(spans: list[tuple[int, int, int]], count: int) -> Uint32:
+    """Spans (first vertex, end, row) -> the row of each of ``count`` vertices; empty if all are 0."""
     if not any(row for _, _, row in spans):
         return np.empty(0, np.uint32)
     rows = np.zeros(count, np.uint32)
@@ -216,6 +226,7 @@ def _indices(batch: Batch) -> Uint32:
 
 
 def _continues(draw: Draw, mode: int, end: int) -> bool:
+    """Whether a Draw begins at vertex ``end`` with whole primitives of the same kind."""
     whole = complete(mode, draw.count) == draw.count
     return draw.mode == mode and draw.indices is None and draw.first == end and whole
 
@@ -226,6 +237,8 @@ def assembled(draw: Draw) -> Uint32:
 
 
 def _assembled(draw: Draw, first: int, count: int, keep: bool = False) -> Uint32:
+    """The same for ``count`` vertices from ``first`` on.  keep: answer with the Draw's own array of indices if it will
+    do, so that the renderer finds the copy that the GPU has already."""
     lighting = draw.state.lighting
     last = lighting.shade_model == gl.GL_FLAT or (lighting.enabled and lighting.two_side) or draw.indices is not None
     indices = draw.indices

@@ -22,6 +22,7 @@ from glsim.machine.machine import Machine
 from glsim.render.device import forked, open_loader, refuse_fork
 from glsim.render.draw import Renderer
 from glsim.render.egl import EGLLoader
+from glsim.render.gpu import Framebuffer
 from glsim.render.osmesa import OSMesaLoader
 from glsim.render.raw import RawGL
 
@@ -122,6 +123,7 @@ class Offscreen:
             self._depths: list[ctypes.c_uint] = []  # names of the renderbuffers of depth and stencil
             self._target = self._framebuffer(self.samples)
             self._resolved = self._framebuffer(0) if self.samples else self._target
+            self.ctx.gc_mode = "context_gc"  # buffers of lists that are gone are released when the context is current
             self._renderer = Renderer(self.ctx, self._raw, (self.width, self.height))
             self.machine = Machine(self)
             self.make_current()
@@ -134,14 +136,14 @@ class Offscreen:
             raise ValueError(f"glsim.offscreen: samples must be one of {choices} on this device, not {wanted!r}")
         return int(wanted)
 
-    def _framebuffer(self, samples: int, probes: int = 0) -> moderngl.Framebuffer:
+    def _framebuffer(self, samples: int, probes: int = 0) -> Framebuffer:
         """A framebuffer with RGBA of 8 bits each, 24 bits of depth and 8 of stencil.
 
-        probes: number of further RGBA float32 attachments, for the outputs of shaders/probe.glsl."""
+        probes: number of further RGBA float32 attachments, for the outputs of shaders/probe.frag."""
         size, raw = (self.width, self.height), self._raw
         colors = [self.ctx.renderbuffer(size, 4, samples=samples)]
         colors += [self.ctx.renderbuffer(size, 4, dtype="f4") for _ in range(probes)]
-        framebuffer = self.ctx.framebuffer(colors)
+        framebuffer: Framebuffer = self.ctx.framebuffer(colors)
         framebuffer.use()
         name = ctypes.c_uint()
         raw.glGenRenderbuffers(1, ctypes.byref(name))
@@ -152,7 +154,7 @@ class Offscreen:
         self._clear(framebuffer)
         return framebuffer
 
-    def _clear(self, framebuffer: moderngl.Framebuffer) -> None:
+    def _clear(self, framebuffer: Framebuffer) -> None:
         """Clear the whole framebuffer: colour (0, 0, 0, 0), depth 1, stencil 0."""
         framebuffer.use()
         raw = self._raw

@@ -1,14 +1,15 @@
-"""Which primitive covers a pixel, and what its fragment there is made of: what the GPU says.
+"""Asking the GPU which primitives cover a pixel, and what their fragments there are made of.
 
-Primitives are drawn with their vertices in red, green and blue, so that a fragment's colour is its weights: the very
-interpolation that the picture had.  Everything else about a fragment follows on the CPU (glsim.study.fragments).
+Primitives are drawn with their vertices in red, green and blue.  Interpolation then gives each fragment a colour whose
+red, green and blue are the weights of the three vertices.  Everything else about a fragment is computed from those
+weights on the CPU (glsim.study.fragments).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,13 +20,15 @@ from glsim.machine.frame import Clear, Draw, Packet, Pixels
 from glsim.machine.interrupts import uninterrupted
 from glsim.machine.state import ColorBuffer, Depth, Lighting, Scissor, Snapshot, Stencil
 from glsim.render.batch import assembled, separate
-from glsim.render.context import Offscreen
 from glsim.render.lines import clip_positions, line_width, point_size, widened
 from glsim.render.outline import prepare
 from glsim.render.pixels import Fragments, Reader, as_fragments
 
+if TYPE_CHECKING:
+    from glsim.render.context import Offscreen
+
 Float = NDArray[np.float64]
-PROBES = 6  # outputs of shaders/probe.glsl
+PROBES = 6  # outputs of shaders/probe.frag
 RED_GREEN_BLUE = np.eye(3, dtype=np.float32)
 
 
@@ -73,9 +76,13 @@ class Sample(NamedTuple):
     texels: Float
 
 
-class Survey(NamedTuple):
-    """What is seen at each pixel, top row first.  piece: number in ``pieces``, -1 where nothing was drawn; primitive,
-    front: (height, width); weights: (height, width, 3); depth: (height, width) in [0, 1]."""
+class GBuffer(NamedTuple):
+    """What is seen at each pixel, top row first (the G-buffer of Saito & Takahashi 1990).
+
+    piece: (height, width) numbers in ``pieces``, -1 where nothing was drawn; primitive: (height, width) numbers in the
+    piece; front: (height, width), whether its front is seen; weights: (height, width, 3) of its corners; depth:
+    (height, width) in [0, 1].
+    """
 
     pieces: list[Piece]
     piece: NDArray[np.int64]
@@ -133,7 +140,7 @@ class Inspector:
     # ------------------------------------------------------------ one pixel
 
     def sample(self, piece: Piece, primitive: int, x: int, y: int) -> Sample | None:
-        """The fragment of one primitive at pixel x, y from the lower left; None if it has none there."""
+        """The fragment of one primitive at pixel x, y from the lower left; None if the primitive does not cover it."""
         one = piece.only(primitive)
         state = one.draw.state
         test = state.scissor
@@ -173,15 +180,15 @@ class Inspector:
         one = piece.only(primitive).draw
         with uninterrupted(), self.screen.ctx:
             self.screen._target.use()
-            self.renderer.fixed = None
+            self.renderer.core.forget()
             if piece.pixels is not None:
                 self.renderer.textures.rectangle(piece.pixels.image)
-            self.renderer._draw([one.with_state(one.state._replace(scissor=Scissor(True, x, y, 1, 1)))], piece.pixels)
+            self.renderer.draw([one.with_state(one.state._replace(scissor=Scissor(True, x, y, 1, 1)))], piece.pixels)
 
     # ------------------------------------------------------------ the whole picture
 
-    def survey(self, packets: Sequence[Packet]) -> Survey:
-        """What is seen at each pixel when the packets were drawn."""
+    def g_buffer(self, packets: Sequence[Packet]) -> GBuffer:
+        """What is seen at each pixel after all packets are drawn."""
         pieces: list[Piece] = []
         for at, packet in enumerate(packets):
             if isinstance(packet, Clear):
@@ -198,7 +205,7 @@ class Inspector:
         number: NDArray[np.int64] = np.rint(primitive[..., 0]).astype(np.int64) - 1
         sizes = np.array([2 if piece.size == 6 else 1 for piece in pieces] or [1])
         numbers = np.rint(primitive[..., 1]).astype(np.int64) // sizes[np.maximum(number, 0)]
-        return Survey(pieces, number, numbers, primitive[..., 2] > 0.0, place[..., :3].astype(np.float64), depth)
+        return GBuffer(pieces, number, numbers, primitive[..., 2] > 0.0, place[..., :3].astype(np.float64), depth)
 
     def _into_target(self, packet: Packet) -> None:
         with uninterrupted(), self.screen.ctx:

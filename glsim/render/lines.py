@@ -23,20 +23,20 @@ def line_width(state: Snapshot) -> float:
 
 
 def widened(state: Snapshot) -> bool:
-    """Whether lines are drawn as areas."""
+    """Whether the state's lines are drawn as triangles: smooth ones, and those wider than a pixel."""
     return state.line.smooth or line_width(state) > 1.0
 
 
 def point_size(state: Snapshot) -> float:
-    """Pixels; with distance attenuation a point may be as large as it is allowed to be."""
+    """The largest diameter in pixels that a point can have; with distance attenuation, the largest that is allowed."""
     point = state.point
     return point.size if point.distance_attenuation == (1.0, 0.0, 0.0) else point.size_max
 
 
 def margin(state: Snapshot, corners: int) -> int:
-    """By how many pixels the driver's viewport is larger than the program's on all sides.
+    """By how many pixels the driver's viewport is larger than the program's on all sides (shaders/margin.glsl).
 
-    Points and wide lines are clipped as if they had no extent (section 2.11), and may reach beyond the viewport.
+    Points and wide lines are clipped as if they had no extent (section 2.11), and may then reach beyond the viewport.
     """
     if corners == 3 or (corners == 2 and not widened(state)):
         return 0
@@ -45,7 +45,7 @@ def margin(state: Snapshot, corners: int) -> int:
 
 
 def positions(block: Vertices, chosen: NDArray[np.uint32]) -> Float:
-    """Homogeneous positions (n, 4) in object space."""
+    """Homogeneous positions (n, 4) in object space of the vertices with these numbers (n,)."""
     result = np.ones((len(chosen), 4), np.float32)
     result[:, :3] = block.rows[chosen, :3]
     if "w" in block.columns:
@@ -54,7 +54,14 @@ def positions(block: Vertices, chosen: NDArray[np.uint32]) -> Float:
 
 
 def eye_and_clip(draw: Draw, chosen: NDArray[np.uint32]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Positions (n, 4) in eye space and in clip space."""
+    """Positions (n, 4) in eye space and in clip space of the vertices with these numbers (n,).
+
+    A row of ``places`` is a point P.  Matrices are kept column first, so the array ``modelview`` is the transpose of M,
+    and the row P @ modelview is the column M P.  For a translation by 5 along x:
+
+        modelview = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [5, 0, 0, 1]]
+        [1, 2, 3, 1] @ modelview = [6, 2, 3, 1]
+    """
     evaluate(draw.matrices)
     modelview, projection = (matrix.get()[None] for matrix in draw.matrices[:2])
     places = positions(draw.block, chosen).astype(np.float64)
@@ -72,7 +79,11 @@ TRIANGLES = np.array([0, 1, 2, 1, 3, 2], np.uint32)  # both end in the line's se
 
 
 def lines(draws: list[Draw]) -> list[Draw]:
-    """Wide or stippled lines; the Draws share their vertices and their state."""
+    """Draws of wide or stippled lines -> Draws over new vertices that shaders/line.glsl can widen and count along.
+
+    draws: they share their vertices and their state.  A wide line becomes two triangles over four vertices, two at each
+    end; a thin one keeps two.  Each vertex also gets the line's other end, and which corner of the line it is.
+    """
     block, state = draws[0].block, draws[0].state
     wide = widened(state)
     ends = [assembled(draw).reshape(-1, 2) for draw in draws]
@@ -133,12 +144,13 @@ def _visible_ends(draw: Draw, pairs: NDArray[np.uint32]) -> NDArray[np.float64]:
 
 
 def _fragments(ends: NDArray[np.float64]) -> NDArray[np.float64]:
-    """How many fragments each line (n, 2, 2) has: the diamonds it leaves behind it (section 3.4.1, figure 3.4).
+    """How many fragments each line (n, 2, 2) has: (n,) (section 3.4.1, figure 3.4).
 
-    The diamond of a pixel reaches half a pixel from its centre; |x| + |y| = 1/2 is where a line leaves it.
+    A line has a fragment for each pixel whose diamond it leaves.  The diamond is |x| + |y| < 1/2 around the centre of
+    the pixel.  ``behind`` counts the diamonds that lie behind an end, seen along the line.
     """
-    way = np.abs(ends[:, 1] - ends[:, 0])
-    steep = (way[:, 1] > way[:, 0])[:, None]
+    size = np.abs(ends[:, 1] - ends[:, 0])
+    steep = (size[:, 1] > size[:, 0])[:, None]
     along, across = np.where(steep, ends[..., 1], ends[..., 0]), np.where(steep, ends[..., 0], ends[..., 1])
     along = along * np.where(along[:, 1] < along[:, 0], -1.0, 1.0)[:, None]
     behind = np.floor(along + np.abs(across - np.floor(across) - 0.5) + 1e-4)

@@ -25,7 +25,7 @@ Float = NDArray[np.float32]
 
 
 def prepare(draws: Iterable[Draw]) -> Iterator[Draw]:
-    """The Draws as the core profile can draw them."""
+    """The same picture as Draws that the core profile can draw: the Draws themselves where it can, else others."""
     draws = list(draws)
     if not any(map(_need, draws)):
         yield from draws
@@ -40,6 +40,7 @@ def prepare(draws: Iterable[Draw]) -> Iterator[Draw]:
 
 
 def _need(draw: Draw) -> str:
+    """Why the core profile cannot draw it: its polygons are "unfilled", its "lines" are wide; "" if it can."""
     kind = corners(draw.mode)
     state = draw.state
     if kind == 3 and (state.polygon.front_mode != gl.GL_FILL or state.polygon.back_mode != gl.GL_FILL):
@@ -59,20 +60,19 @@ def unfilled(draw: Draw) -> Iterator[Draw]:
     if not len(loops):
         return
     numbers = (np.arange(count, dtype=np.uint32) if draw.indices is None else draw.indices) + np.uint32(draw.first)
-    rings, provoking = numbers[loops], numbers[provoking]
-    front = facing(draw, rings)
-    polygon = draw.state.polygon
+    polygons, provoking = numbers[loops], numbers[provoking]
+    front = facing(draw, polygons)
+    modes = draw.state.polygon
     for first, end in _runs(draw.state, front):
         is_front = bool(front[first])
-        culled = polygon.cull and polygon.cull_face in (gl.GL_FRONT_AND_BACK, gl.GL_FRONT if is_front else gl.GL_BACK)
-        mode = polygon.front_mode if is_front else polygon.back_mode
-        kept = slice(first, end)
+        culled = modes.cull and modes.cull_face in (gl.GL_FRONT_AND_BACK, gl.GL_FRONT if is_front else gl.GL_BACK)
+        mode = modes.front_mode if is_front else modes.back_mode
         if not culled:
-            yield from _face(draw, rings[kept], provoking[kept], mode, is_front)
+            yield from _face(draw, polygons[first:end], provoking[first:end], mode, is_front)
 
 
 def _runs(state: Snapshot, front: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
-    """Neighbouring polygons that are drawn alike, in their order: of one facing, or all if it makes no difference."""
+    """Runs (first, end) of polygons that are drawn alike: all front or all back; one run if both are drawn alike."""
     polygon, lighting = state.polygon, state.lighting
     if polygon.front_mode == polygon.back_mode and not polygon.cull and not (lighting.enabled and lighting.two_side):
         yield 0, len(front)
@@ -81,69 +81,74 @@ def _runs(state: Snapshot, front: NDArray[np.bool_]) -> Iterator[tuple[int, int]
     yield from zip([0, *turns], [*turns, len(front)], strict=True)
 
 
-def facing(draw: Draw, rings: NDArray[np.uint32]) -> NDArray[np.bool_]:
-    """Which polygons (n, k) show their front."""
-    clip = clip_positions(draw, rings.ravel()).reshape(*rings.shape, 4)
+def facing(draw: Draw, polygons: NDArray[np.uint32]) -> NDArray[np.bool_]:
+    """Which polygons, given by the numbers of their vertices (n, k), show their front: (n,) bool."""
+    clip = clip_positions(draw, polygons.ravel()).reshape(*polygons.shape, 4)
     return np.equal(counterclockwise(clip), draw.state.polygon.front_face == gl.GL_CCW)
 
 
 def _face(
-    draw: Draw, rings: NDArray[np.uint32], provoking: NDArray[np.uint32], mode: int, front: bool
+    draw: Draw, polygons: NDArray[np.uint32], provoking: NDArray[np.uint32], mode: int, front: bool
 ) -> Iterator[Draw]:
-    """Polygons of one facing as filled areas, edges or points."""
+    """Polygons (n, k) that all show the same side, as filled areas, edges or points.
+
+    provoking: the vertex of each polygon (n,) whose colour it has under flat shading.
+    """
     state = draw.state._replace(
         polygon=draw.state.polygon._replace(front_mode=gl.GL_FILL, back_mode=gl.GL_FILL, cull=False)
     )
     if mode == gl.GL_FILL:
         if draw.mode == gl.GL_POLYGON:
-            yield _part(draw, gl.GL_POLYGON, rings.ravel(), None, state, True)
+            yield _part(draw, gl.GL_POLYGON, polygons.ravel(), None, state, True)
             return
-        if rings.shape[1] == 4:  # cut as Mesa does where some polygons of a Draw are not filled
-            rings = rings[:, [0, 1, 3, 1, 2, 3]]
-        yield _part(draw, gl.GL_TRIANGLES, rings.ravel(), None, state, True)
+        if polygons.shape[1] == 4:  # cut as Mesa does where some polygons of a Draw are not filled
+            polygons = polygons[:, [0, 1, 3, 1, 2, 3]]
+        yield _part(draw, gl.GL_TRIANGLES, polygons.ravel(), None, state, True)
         return
-    edges = edge_kinds(draw, rings)
-    flags = edges == BOUNDARY
-    offsets = _depth_offsets(draw, rings, mode)
-    each = np.broadcast_to(np.arange(len(rings))[:, None], rings.shape)[flags]  # the polygon of each edge or corner
+    edges = edge_kinds(draw, polygons)
+    is_drawn = edges == BOUNDARY  # (n, k): edges that the program asked for, and the corners where they begin
+    offsets = _depth_offsets(draw, polygons, mode)
+    each = np.broadcast_to(np.arange(len(polygons))[:, None], polygons.shape)[
+        is_drawn
+    ]  # the polygon of each edge or corner
     if mode == gl.GL_LINE:
-        chosen = np.stack([rings, np.roll(rings, -1, axis=1)], axis=2)[flags].ravel()
+        chosen = np.stack([polygons, np.roll(polygons, -1, axis=1)], axis=2)[is_drawn].ravel()
         each = np.repeat(each, 2)
         part = _part(draw, gl.GL_LINES, chosen, provoking[each], state, front)
     else:
-        part = _part(draw, gl.GL_POINTS, rings[flags], provoking[each], state, front)
+        part = _part(draw, gl.GL_POINTS, polygons[is_drawn], provoking[each], state, front)
     if offsets is not None:
         part.block.columns["depth_offset"] = offsets[each, None]
     yield part
     if mode == gl.GL_LINE and not any(state.transform.clip_enabled):
         return
-    planes = _planes(draw, rings, mode)
+    planes = _planes(draw, polygons, mode)
     outside = planes < 0.0
     cut = np.flatnonzero(np.any(outside, axis=(1, 2)) & ~np.any(np.all(outside, axis=1), axis=1))
     if len(cut):
-        source = np.repeat(provoking[cut], rings.shape[1])
-        whole = _part(draw, gl.GL_POINTS, rings[cut].ravel(), source, state, front)
+        source = np.repeat(provoking[cut], polygons.shape[1])
+        whole = _part(draw, gl.GL_POINTS, polygons[cut].ravel(), source, state, front)
         if offsets is not None:
-            whole.block.columns["depth_offset"] = np.repeat(offsets[cut], rings.shape[1])[:, None]
+            whole.block.columns["depth_offset"] = np.repeat(offsets[cut], polygons.shape[1])[:, None]
         yield _introduced(whole, planes[cut], edges[cut], mode)
 
 
-def _planes(draw: Draw, rings: NDArray[np.uint32], mode: int) -> NDArray[np.float64]:
+def _planes(draw: Draw, polygons: NDArray[np.uint32], mode: int) -> NDArray[np.float64]:
     """Distances (n, k, p) of the corners of polygons from the planes that make edges, or corners that are drawn.
 
-    What is made at the view volume lies a little inside of it, lest the GPU cuts it off.
+    The planes of the view volume are moved inwards a little, so that the GPU does not cut off the corners made there.
     """
-    eye, clip = eye_and_clip(draw, rings.ravel())
+    eye, clip = eye_and_clip(draw, polygons.ravel())
     planes = distances(clip, eye, draw.state.transform)
     planes[:, :VIEW_PLANES] -= 1e-5 * np.abs(clip[:, 3:])
-    return planes.reshape(*rings.shape, -1)[..., VIEW_PLANES if mode == gl.GL_LINE else 0 :]
+    return planes.reshape(*polygons.shape, -1)[..., VIEW_PLANES if mode == gl.GL_LINE else 0 :]
 
 
 def _introduced(whole: Draw, planes: NDArray[np.float64], edges: NDArray[np.int64], mode: int) -> Draw:
-    """The edges or corners that clipping makes of polygons drawn as lines or points (section 2.11).
+    """The edges or corners that clipping adds to polygons drawn as lines or points (section 2.11).
 
-    Along planes of glClipPlane they are boundary edges.  Along the view volume they are not, as in Mesa: else there
-    would be a frame at the border of every picture.
+    An edge along a plane of glClipPlane is drawn.  An edge along the view volume is not, as in Mesa: otherwise every
+    polygon that leaves the picture would draw a line along the picture's border.
 
     whole: all corners of the polygons, planes: see _planes; edges: the kind of the edge from each corner (n, k).
     """
@@ -160,15 +165,15 @@ def _introduced(whole: Draw, planes: NDArray[np.float64], edges: NDArray[np.int6
     varying = [name for name, values in columns.items() if len(values) == len(rows)]
     all_columns = [rows, *(columns[name] for name in varying)]
     polygons = np.concatenate(all_columns, axis=1).astype(np.float64).reshape(*edges.shape, -1)
-    kept = []
+    introduced = []
     for polygon, distances_of, kinds in zip(polygons, planes, edges, strict=True):
         left = clipped(polygon, distances_of, kinds, 0 if mode == gl.GL_LINE else VIEW_PLANES)
         at = np.flatnonzero(left.edges == INTRODUCED if mode == gl.GL_LINE else left.new & (left.edges != INTERIOR))
         if mode == gl.GL_LINE:
             at = np.stack([at, (at + 1) % max(len(left.rows), 1)], axis=1).ravel()
-        kept.append(left.rows[at])
+        introduced.append(left.rows[at])
     rows, *values = np.split(
-        np.concatenate(kept).astype(np.float32), np.cumsum([c.shape[1] for c in all_columns])[:-1], 1
+        np.concatenate(introduced).astype(np.float32), np.cumsum([c.shape[1] for c in all_columns])[:-1], 1
     )
     block = Vertices(np.ascontiguousarray(rows), columns | dict(zip(varying, values, strict=True)), [])
     part = Draw(
@@ -186,7 +191,7 @@ def _introduced(whole: Draw, planes: NDArray[np.float64], edges: NDArray[np.int6
     return part
 
 
-def _depth_offsets(draw: Draw, rings: NDArray[np.uint32], mode: int) -> Float | None:
+def _depth_offsets(draw: Draw, polygons: NDArray[np.uint32], mode: int) -> Float | None:
     """glPolygonOffset for polygons (n, k) drawn as lines or points: m factor + r units in window depth (section 3.5.5).
 
     m: the steepest slope of the polygon's plane; r: the smallest difference that 24 bits of depth resolve.
@@ -195,7 +200,7 @@ def _depth_offsets(draw: Draw, rings: NDArray[np.uint32], mode: int) -> Float | 
     if not (polygon.offset_line if mode == gl.GL_LINE else polygon.offset_point):
         return None
     viewport = draw.state.viewport
-    clip = clip_positions(draw, rings.ravel()).reshape(*rings.shape, 4)
+    clip = clip_positions(draw, polygons.ravel()).reshape(*polygons.shape, 4)
     with np.errstate(all="ignore"):
         scale = np.array([viewport.width, viewport.height, viewport.far - viewport.near]) / 2
         corners = clip[..., :3] / clip[..., 3:] * scale

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from glsim.files import data_folder
 from glsim.machine import constants as gl
@@ -17,9 +17,6 @@ from glsim.machine.frame import Draw
 from glsim.machine.state import MAX_CLIP_PLANES, TEXTURE_UNITS, TRACKED, Combine, Light, Lighting, Snapshot, TextureUnit
 from glsim.machine.texture import CUBE
 from glsim.render.lines import widened
-
-if TYPE_CHECKING:
-    import moderngl
 
 NOTHING_TRACKED = (False, False, False, False)
 TRACKS: dict[int, tuple[bool, ...]] = {  # glColorMaterial's mode -> ambient, diffuse, specular, emission
@@ -135,7 +132,7 @@ def program_key(state: Snapshot, corners: int = 3) -> ProgramKey:
         points=corners == 1,
         areas=corners == 3,
     )
-    if state.lighting.enabled or state.texture.in_use:  # who needs normals
+    if state.lighting.enabled or state.texture.in_use:  # only they need normals
         transform = state.transform
         common = common._replace(
             normalize=transform.normalize, rescale_normal=transform.rescale_normal and not transform.normalize
@@ -148,6 +145,7 @@ def program_key(state: Snapshot, corners: int = 3) -> ProgramKey:
 
 @lru_cache(maxsize=256)
 def unit_kind(number: int, unit: TextureUnit) -> UnitKind | None:
+    """What a texture unit asks for; None if it is not in use."""
     texture = unit.active
     if texture is None:
         return None
@@ -170,7 +168,7 @@ def unit_kind(number: int, unit: TextureUnit) -> UnitKind | None:
 
 
 def _lit(key: ProgramKey, state: Snapshot) -> ProgramKey:
-    """The key with what lighting adds."""
+    """The key with the fields that matter only while GL_LIGHTING is on."""
     lighting = state.lighting
     tracked = TRACKS[lighting.color_material_mode] if lighting.color_material else NOTHING_TRACKED
     front = tracked if lighting.color_material_face != gl.GL_BACK else NOTHING_TRACKED
@@ -192,6 +190,8 @@ def _lit(key: ProgramKey, state: Snapshot) -> ProgramKey:
 
 @lru_cache(maxsize=64)
 def light_kinds(lighting: Lighting) -> tuple[LightKind, ...]:
+    """One for each light that is on, in their order."""
+
     def kind(number: int, light: Light) -> LightKind:
         positional = light.position[3] != 0.0
         factors = (light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation)
@@ -220,7 +220,7 @@ def _glsl(value: bool | int) -> str:
 
 
 def constants(key: ProgramKey) -> str:
-    """The key as GLSL: what stands in front of the sources."""
+    """The key as GLSL, to stand in front of the sources; shaders/README.md tells what each constant means."""
     lines = [f"#define SHADED {'flat' if key.flat else 'smooth'}", f"const int OBJECTS = {key.objects};"]
     lines.append(f"#define CLIPPING {int(any(key.clip_plane))}")
     lines.append(f"const bool MANY_OBJECTS = {_glsl(key.objects > 1)};")
@@ -251,7 +251,6 @@ def constants(key: ProgramKey) -> str:
         lines.append(f"const {size} {name} = {size}({', '.join(map(_glsl, column))});")
     lines += [f"#define PIXELS_{name.upper() or 'NONE'} {number}" for name, number in PIXELS.items()]
     lines.append(f"#define PIXELS {key.pixels}")
-    lines.append(f"#define PROBE {int(key.probe)}")
     return "\n".join(lines + _unit_constants(key.units)) + "\n"
 
 
@@ -324,47 +323,12 @@ def expand(name: str) -> tuple[str, tuple[str, ...]]:
     return "\n".join(read(name)) + "\n", ("constants", *files)
 
 
+def root_files(key: ProgramKey) -> dict[str, str]:
+    """By stage the file in shaders/ that includes all others."""
+    return {"vertex": "main.vert", "fragment": "probe.frag" if key.probe else "main.frag"}
+
+
 def sources(key: ProgramKey) -> dict[str, str]:
     """The exact GLSL of a key: {"vertex": ..., "fragment": ...}."""
     front = "#version 330 core\n" + constants(key)
-    return {"vertex": front + expand("main.vert")[0], "fragment": front + expand("main.frag")[0]}
-
-
-BINDINGS = {"Transforms": 0, "Materials": 1, "Lights": 2, "Raster": 3, "Texturing": 4}
-RECTANGLE_UNIT = TEXTURE_UNITS  # the texture unit beyond those of the API, for pixel rectangles
-
-
-def build(ctx: moderngl.Context, key: ProgramKey) -> moderngl.Program:
-    """Compile and link.  Raises ShaderError that names the file in shaders/ and the line."""
-    import moderngl
-
-    text = sources(key)
-    try:
-        program = ctx.program(vertex_shader=text["vertex"], fragment_shader=text["fragment"])
-    except moderngl.Error as error:
-        raise ShaderError(_with_file_names(str(error))) from None
-    for name, binding in BINDINGS.items():
-        block = program.get(name, None)
-        if block is not None:
-            block.binding = binding  # type: ignore[union-attr]
-    samplers = {f"texture{number}": number for number in range(TEXTURE_UNITS)}
-    for name, number in {**samplers, "rectangle": RECTANGLE_UNIT}.items():
-        if name in program:
-            program[name] = number
-    return program
-
-
-class ShaderError(Exception):
-    """A GLSL source in shaders/ does not compile."""
-
-
-def _with_file_names(message: str) -> str:
-    """'0:2007(5): error' or '0(2007) : error' -> 'state.glsl:7: error': #line's numbers become files again."""
-    name = "main.frag" if "fragment_shader" in message or "fragment shader" in message.lower() else "main.vert"
-    files = expand(name)[1]
-
-    def replace(found: re.Match[str]) -> str:
-        number, line = divmod(int(found[1]), 1000)
-        return f"{files[number]}:{line}:" if number < len(files) else found[0]
-
-    return re.sub(r"^\d+[:(](\d+)(?:\(\d+\)|\))?\s*:", replace, message, flags=re.MULTILINE)
+    return {stage: front + expand(name)[0] for stage, name in root_files(key).items()}

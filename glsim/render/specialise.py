@@ -77,9 +77,9 @@ def preprocessed(source: str) -> tuple[str, Constants]:
     for line in source.splitlines():
         directive = re.match(r"\s*#\s*(\w+)\s*(.*)", line)
         if directive is None:
-            constant = re.match(r"const (\w+)(\[\d+\])? (\w+) = (.*);$", line)
+            constant = re.match(r"const (?:bool|int)(\[\d+\])? (\w+) = (.*);$", line)
             if constant is not None and active[-1]:
-                _note(constants, constant[3], constant[4], bool(constant[2]))
+                _note(constants, constant[2], constant[3], bool(constant[1]))
             elif active[-1]:
                 lines.append(line)
             continue

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from glsim.machine import constants as gl
 from glsim.machine.state import TextureUnit
 from glsim.machine.texture import CUBE, Images, Texture, in_base_format
-from glsim.render.programs import RECTANGLE_UNIT
-from glsim.render.raw import RawGL
+from glsim.render.compile import RECTANGLE_UNIT
+from glsim.render.gpu import Commands
 
 TARGETS: dict[int, int] = {1: gl.GL_TEXTURE_2D, 2: gl.GL_TEXTURE_2D, 3: gl.GL_TEXTURE_3D, CUBE: gl.GL_TEXTURE_CUBE_MAP}
 # how a rectangle's elements lie on the GPU: (components, type) -> internal format, format, type
@@ -38,7 +38,7 @@ class _Name:
 
 
 class Textures:
-    def __init__(self, raw: RawGL) -> None:
+    def __init__(self, raw: Commands) -> None:
         self.raw = raw
         self.names: weakref.WeakKeyDictionary[Images, _Name] = weakref.WeakKeyDictionary()
         self.garbage: list[int] = []  # deleted when the context is current

@@ -9,11 +9,13 @@ from typing import Any
 
 from glsim.machine.constants import GL_COMBINE
 from glsim.machine.frame import Draw, Frame, Trail, Where
+from glsim.machine.matrix import multiply
 from glsim.play.frames import frame_of
 from glsim.render.batch import MOST_OBJECTS, plans
 from glsim.render.outline import prepare
 from glsim.render.programs import ProgramKey, draw_key, sources
 from glsim.render.specialise import specialised
+from glsim.render.uniforms import ATTENUATION, FACE, INTENSITIES, cos_spot_cutoff
 from glsim.study.provenance import BEFORE, History, Path, Provenance, value_at
 from glsim.study.text import call_text, enum_name, matrix_text, plain, value_text
 
@@ -166,7 +168,7 @@ class _Explainer:
                 yield Setting(
                     f"LIGHT_IS_POSITIONAL[{k}]", value_text(kind.positional), self._origins((*light, "position"))
                 )
-                factors = [(*light, f"{name}_attenuation") for name in ("constant", "linear", "quadratic")]
+                factors = [(*light, member) for member in ATTENUATION]
                 yield Setting(f"LIGHT_IS_ATTENUATED[{k}]", value_text(kind.attenuated), self._origins(*factors))
                 yield Setting(f"LIGHT_IS_SPOT[{k}]", value_text(kind.spot), self._origins((*light, "spot_cutoff")))
             for name, at in (
@@ -222,25 +224,20 @@ class _Explainer:
     # ------------------------------------------------------------ the uniforms
 
     def _uniforms(self, key: ProgramKey) -> Iterator[Setting]:
-        names = ["modelview", "projection", *(f"texture{unit.number}" for unit in key.units)]
-        for at, name in enumerate(names):
-            matrix = self.draw.matrices[at if at < 2 else min(2 + int(name[-1]), len(self.draw.matrices) - 1)]
-            chain = self._chain(self.provenance.chains[name][-1])
-            note = "the product of these calls, in order" if len(chain) > 1 else ""
-            yield Setting(f"transform.{name}", matrix_text(matrix.get()), chain, note)
+        yield from self._matrices(key)
         yield self._color(key)
         if key.lighting:
             yield from self._lighting(key)
         state = self.draw.state
         if key.fog:
             for name in ("color", "density", "start", "end"):
-                yield self._state(f"fog {name}", "fog", name)
+                yield self._state(f"fog_{name}", "fog", name)
         if key.points:
-            yield self._state("point size", "point", "size")
+            yield self._state("point_size", "point", "size")
         if not key.areas and not key.points:
-            yield self._state("line width", "line", "width")
+            yield self._state("line_width", "line", "width")
         if state.color_buffer.alpha_test:
-            yield self._state("alpha reference", "color_buffer", "alpha_reference")
+            yield self._state("alpha_reference", "color_buffer", "alpha_reference")
         for number, on in enumerate(key.clip_plane):
             if on:
                 path: Path = ("transform", "clip_planes", number)
@@ -248,6 +245,23 @@ class _Explainer:
         for unit in key.units:
             yield self._state(f"units[{unit.number}].environment_color", "texture", "units", unit.number,
                               "environment_color")  # fmt: skip
+
+    def _matrices(self, key: ProgramKey) -> Iterator[Setting]:
+        """Each product, with the calls that were multiplied, in order."""
+        modelview, projection, *textures = (matrix.get() for matrix in self.draw.matrices)
+        yield self._product("transform.modelview", modelview, "modelview")
+        note = f"GL_PROJECTION, {matrix_text(projection)}, times GL_MODELVIEW"
+        product = multiply(projection[None], modelview[None])[0]
+        yield self._product("transform.modelview_projection", product, "projection", "modelview", note=note)
+        for unit in key.units:
+            member = f"units[{unit.number}].matrix" if unit.number else "transform.texture"
+            yield self._product(member, textures[min(unit.number, len(textures) - 1)], f"texture{unit.number}")
+
+    def _product(self, name: str, matrix: Any, *stacks: str, note: str = "") -> Setting:
+        chain = tuple(origin for stack in stacks for origin in self._chain(self.provenance.chains[stack][-1]))
+        words = [note] if note else []
+        words += ["the product of these calls, in order"] if len(chain) > 1 else []
+        return Setting(name, matrix_text(matrix), chain, ": ".join(words))
 
     def _color(self, key: ProgramKey) -> Setting:
         """The setting "color": the vertices' common colour and the last glColor, or "one for each vertex"."""
@@ -267,24 +281,26 @@ class _Explainer:
         lighting = self.draw.state.lighting
         sides = ["front", *(["back"] if key.two_side else [])]
         for side in sides:
-            for name, at in (("k_a", "ambient"), ("k_d", "diffuse"), ("k_s", "specular"), ("emission", "emission"),
-                             ("n", "shininess")):  # fmt: skip
-                yield self._state(f"material.{side}.{name}", "material", side, at)
-        yield self._state("scene_ambient", "lighting", "ambient")
+            for member, at in FACE.items():
+                yield self._state(f"material.{side}.{member}", "material", side, at)
+        yield self._state("I_a_scene", "lighting", "ambient")
         for kind in key.lights:
             light: Path = ("lighting", "lights", kind.number)
             place = (*light, "position")
             yield self._state(f"lights[{kind.number}].position", *place, note=self._placed(place))
-            for name, at in (("I_a", "ambient"), ("I_d", "diffuse"), ("I_s", "specular")):
-                yield self._state(f"lights[{kind.number}].{name}", *light, at)
+            for member, at in INTENSITIES.items():
+                yield self._state(f"lights[{kind.number}].{member}", *light, at)
             if kind.spot:
                 place = (*light, "spot_direction")
-                yield self._state(f"lights[{kind.number}].spot", *place, note=self._placed(place))
-                yield self._state(f"lights[{kind.number}] cutoff", *light, "spot_cutoff")
-                yield self._state(f"lights[{kind.number}] exponent", *light, "spot_exponent")
+                yield self._state(f"lights[{kind.number}].spot_direction", *place, note=self._placed(place))
+                yield self._state(f"lights[{kind.number}].spot_exponent", *light, "spot_exponent")
+                source = lighting.lights[kind.number]
+                note = f"cosine of {value_text(source.spot_cutoff)} degrees"
+                cosine, who = cos_spot_cutoff(source), self._origins((*light, "spot_cutoff"))
+                yield Setting(f"lights[{kind.number}].cos_spot_cutoff", value_text(cosine), who, note)
             if kind.attenuated:
-                for name in ("constant", "linear", "quadratic"):
-                    yield self._state(f"lights[{kind.number}].attenuation {name}", *light, f"{name}_attenuation")
+                for member in ATTENUATION:
+                    yield self._state(f"lights[{kind.number}].{member}", *light, member)
         assert lighting.enabled
 
     def _placed(self, path: Path) -> str:

@@ -1,9 +1,17 @@
 """Who set what: for each piece of state the call, with the user's line, that set it last.
 
 A path such as ("lighting", "lights", 0, "position") names a piece of state: fields of machine.state.Snapshot, or
-("material", "front", "diffuse").  A call that sets a path to the value it already had sets it
-all the same.  To detect this, the call is repeated on a scratch machine in which each value is a distinct object: if
-another object stands at a path afterwards, the call has set this path.
+("material", "front", "diffuse").
+
+A call may set a piece of state to the value that it has already.  Comparing values does not show that, so the call is
+made again on a second machine, whose state is a copy in which every piece is an object that nothing else refers to.
+Whatever is another object after the call was set by it:
+
+    piece = _distinct_copy((0.2, 0.2, 0.2, 1.0))  # an equal tuple, but not the same object
+    state = Lighting(ambient=piece)
+    ... the machine runs glLightModelfv(GL_LIGHT_MODEL_AMBIENT, [0.2, 0.2, 0.2, 1.0]) ...
+    state.ambient == piece                  # True: the value has not changed
+    state.ambient is piece                  # False: so this call set ("lighting", "ambient")
 """
 
 from __future__ import annotations

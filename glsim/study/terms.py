@@ -14,7 +14,7 @@ from glsim.machine.constants import GL_PHONG_LOBE_GLSIM
 from glsim.machine.frame import Frame
 from glsim.play.frames import frame_of
 from glsim.render.context import own_screen
-from glsim.render.inspect import Inspector, Piece, Survey
+from glsim.render.inspect import GBuffer, Inspector, Piece
 from glsim.shading import normalize
 from glsim.study.fragments import Shaded, shade
 
@@ -95,36 +95,36 @@ def terms(what: Any, **options: Any) -> Terms:
     """
     frame: Frame = frame_of(what, **options)
     with own_screen(frame.width, frame.height) as screen:
-        survey = Inspector(screen).survey(frame.packets)
+        g_buffer = Inspector(screen).g_buffer(frame.packets)
         picture = screen.pixels()
-    return taken_apart(survey, picture)
+    return taken_apart(g_buffer, picture)
 
 
-def taken_apart(survey: Survey, picture: NDArray[np.uint8]) -> Terms:
-    shape = survey.piece.shape
+def taken_apart(g_buffer: GBuffer, picture: NDArray[np.uint8]) -> Terms:
+    shape = g_buffer.piece.shape
     no: NDArray[np.bool_] = np.zeros(shape, bool)
-    result = Terms(picture, survey.depth, survey.piece >= 0, no.copy(), no.copy(), np.zeros((*shape, 3)))
+    result = Terms(picture, g_buffer.depth, g_buffer.piece >= 0, no.copy(), no.copy(), np.zeros((*shape, 3)))
     for name in ("emission", "scene ambient"):
         result.summands[name] = np.zeros((*shape, 3))
     order = np.flatnonzero(result.covered)
     if not len(order):
         return result
-    groups = survey.piece.ravel()[order] * 2 + survey.front.ravel()[order]
+    groups = g_buffer.piece.ravel()[order] * 2 + g_buffer.front.ravel()[order]
     order = order[np.argsort(groups, kind="stable")]
     groups = np.sort(groups, kind="stable")
     starts = np.flatnonzero(np.diff(groups, prepend=-1))
-    result.more = _more(survey)
+    result.more = _more(g_buffer)
     for start, end in zip(starts, [*starts[1:], len(order)], strict=True):
         at = np.unravel_index(order[start:end], shape)
-        piece = survey.pieces[int(groups[start]) // 2]
-        lit = shade(piece, survey.primitive[at], survey.weights[at], back=not groups[start] % 2)
+        piece = g_buffer.pieces[int(groups[start]) // 2]
+        lit = shade(piece, g_buffer.primitive[at], g_buffer.weights[at], back=not groups[start] % 2)
         _add(result, at, piece, lit)
     return result
 
 
-def _more(survey: Survey) -> tuple[str, ...]:
+def _more(g_buffer: GBuffer) -> tuple[str, ...]:
     """The stages after lighting that some piece uses; the summands leave them out."""
-    states = [piece.draw.state for piece in survey.pieces]
+    states = [piece.draw.state for piece in g_buffer.pieces]
     found = {
         "texture": any(state.texture.in_use for state in states),
         "fog": any(state.fog.enabled for state in states),
