@@ -7,11 +7,12 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.bake import gathered
+from glsim.radiosity.factors import Factors
+from glsim.radiosity.gather import gathered
 from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.quadtree import divided
-from glsim.radiosity.solvers import Factors, solved
+from glsim.radiosity.solvers import solved
 
 Float = NDArray[np.float64]
 ROUNDS = 8  # at most

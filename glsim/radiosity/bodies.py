@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.kernels import jit
+from glsim.radiosity.compiled import jit
 from glsim.radiosity.scene import Scene, area_of, normal_of
 
 Float = NDArray[np.float64]

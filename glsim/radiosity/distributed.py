@@ -14,18 +14,17 @@ from collections.abc import Sequence
 from functools import cached_property
 from importlib import import_module
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.checkpoint import mark_of
-from glsim.radiosity.formfactors import BLOCK, Progress, irradiance, next_rows, upper_rows
+from glsim.radiosity.formfactors import BLOCK, irradiance, next_rows, upper_rows
 from glsim.radiosity.patches import Patches
+from glsim.radiosity.progress import Progress
 from glsim.radiosity.scene import Scene, SceneError
-
-if TYPE_CHECKING:
-    from glsim.radiosity.visibility import Visibility
+from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
@@ -62,13 +61,14 @@ def connected(address: str) -> Any:
 
 
 class Blocks:
-    """Form factors in blocks of rows on the workers; see solvers.Factors for what a solver asks of them.
+    """Form factors in blocks of rows on the workers; see factors.Factors for what a solver asks of them.
 
     starts: (k + 1,), block b has the rows starts[b] to starts[b + 1].  seconds: by stage.
     """
 
     method = "contour"
     asymmetry = 0.0  # each pair is there once
+    matrix = None  # not on this machine
 
     def __init__(
         self, client: Any, patches: Patches, progress: Progress, name: str | None = None, threads: int | None = None
@@ -144,8 +144,6 @@ class Blocks:
     @cached_property
     def visibility(self) -> Visibility:
         """Rays on this machine."""
-        from glsim.radiosity.visibility import Visibility
-
         return Visibility(self.patches.scene, self.threads)
 
     def keep(self, checkpoint: str) -> None:
@@ -224,8 +222,6 @@ def _irradiance(patches: Patches, points: Float, ways: Float, B: Float) -> Float
 def _visibility(scene: Scene) -> Visibility:
     """The one of the scene that this worker asked for last, with as many threads as it has."""
     import numba
-
-    from glsim.radiosity.visibility import Visibility
 
     threads = _dask().get_worker().state.nthreads
     numba.set_num_threads(min(threads, numba.get_num_threads()))

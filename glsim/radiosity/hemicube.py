@@ -10,8 +10,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.formfactors import Progress
+from glsim import gl
+from glsim.glu.view import gluLookAt
 from glsim.radiosity.patches import Patches
+from glsim.radiosity.progress import Progress
+from glsim.render.context import offscreen
 
 Float = NDArray[np.float64]
 RESOLUTION = 128  # pixels along an edge of the cube
@@ -20,8 +23,6 @@ AT_ONCE = 16  # hemicubes in one picture, above each other
 
 def hemicube(patches: Patches, progress: Progress, resolution: int = RESOLUTION) -> NDArray[np.float32]:
     """S from the rows that hemicubes give, A_i F_ij; of S_ij and S_ji, which differ a little, the mean."""
-    from glsim.render.context import offscreen
-
     n, width = len(patches), 3 * resolution
     weights = delta_form_factors(resolution).ravel()
     S = np.zeros((n, n), np.float32)
@@ -57,8 +58,6 @@ def delta_form_factors(resolution: int) -> Float:
 
 def _compiled(patches: Patches) -> int:
     """A display list that draws all patches: fronts in the colour of their number, from 1, backs black."""
-    from glsim import gl
-
     n = len(patches)
     number = np.repeat(np.arange(1, n + 1), 4)
     colors = np.stack([number & 255, number >> 8 & 255, number >> 16], axis=1).astype(np.uint8)
@@ -77,8 +76,6 @@ def _compiled(patches: Patches) -> int:
 
 
 def _clear() -> None:
-    from glsim import gl
-
     gl.glDisable(gl.GL_DITHER)
     gl.glEnable(gl.GL_DEPTH_TEST)
     gl.glEnable(gl.GL_CULL_FACE)
@@ -89,9 +86,6 @@ def _clear() -> None:
 
 def _draw(patches: Patches, i: int, resolution: int, bottom: int, scene: int) -> None:
     """The five faces over patch i: the top one, and of the sides the half above the patch."""
-    from glsim import gl
-    from glsim.glu.view import gluLookAt
-
     eye, up = patches.center[i], patches.normal[i]
     across = patches.rings[i, 1] - patches.rings[i, 0]
     across = across / np.linalg.norm(across)

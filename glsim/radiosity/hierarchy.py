@@ -16,11 +16,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.checkpoint import Checkpoint
-from glsim.radiosity.formfactors import DIM, NEGLIGIBLE, Progress, brightness, compute, memory_of_machine
-from glsim.radiosity.patches import Patches, length_for, number_of_cells, patches_from, subdivide
+from glsim.radiosity.formfactors import DIM, NEGLIGIBLE, brightness
+from glsim.radiosity.links import along_links, link_factors, links_at
+from glsim.radiosity.methods import compute, memory_of_machine
+from glsim.radiosity.patches import Patches, patches_from
+from glsim.radiosity.progress import Progress, silent
 from glsim.radiosity.quadtree import quarters
 from glsim.radiosity.scene import Scene, SceneError
 from glsim.radiosity.solvers import solved
+from glsim.radiosity.subdivide import length_for, number_of_cells, subdivide
 from glsim.radiosity.visibility import FIRST, Visibility
 
 Float = NDArray[np.float64]
@@ -115,7 +119,7 @@ def tree_of(scene: Scene, count: int) -> Tree:
 @dataclass(frozen=True, repr=False)
 class Links:
     """ends: (k, 2) nodes; S: (k,) float32, A_p F_pq = A_q F_qp; tilt: (k, 2, 3) float32, how the form factor changes
-    over either end, see sweep.along_links.  visibility: rays in the scene, for what is asked later.  patches: the
+    over either end, see links.along_links.  visibility: rays in the scene, for what is asked later.  patches: the
     elements.  seconds: by stage."""
 
     tree: Tree
@@ -139,8 +143,6 @@ class Links:
 
     def times(self, B: Float) -> Float:
         """S B for the elements: pull, gather along the links, push."""
-        from glsim.radiosity.sweep import along_links
-
         area = self.tree.nodes.area[:, None]
         arriving, slopes = np.zeros((len(area), 3)), np.zeros((len(area), 3, 3))
         along_links(self.ends, self.S, self.tilt, *self.tree.pulled(B), arriving, slopes)
@@ -166,8 +168,6 @@ class Links:
         element or to what it is part of, each with its own form factor at the point."""
         from scipy.sparse import csr_matrix
 
-        from glsim.radiosity.sweep import links_at
-
         nodes, radiosity = self.tree.nodes, self.tree.pulled(B)[0]
         bright = brightness(nodes, radiosity)
         least = NEGLIGIBLE / SENDERS / bright
@@ -191,6 +191,11 @@ class Links:
         """0: each link is used in both directions."""
         return 0.0
 
+    @property
+    def matrix(self) -> None:
+        """None: there are only links."""
+        return None
+
     @cached_property
     def by_node(self) -> tuple[Int, NDArray[np.int32]]:
         """Where each node's links begin (N + 1,), and the nodes at their other ends (2 k,)."""
@@ -205,10 +210,10 @@ def linked(tree: Tree, accuracy: float = ACCURACY, threads: int | None = None, p
     """The links of a tree, each refined until the light along it is even to ``accuracy`` mean radiosities or its ends
     are elements.  How bright the nodes are is known from a solution for the roots alone.
 
-    checkpoint: see formfactors.compute.  Raises SceneError if the roots' form factors, or the links, would not fit into
+    checkpoint: see methods.compute.  Raises SceneError if the roots' form factors, or the links, would not fit into
     ``limit`` bytes (by default half of the machine's memory).
     """
-    tell = progress or (lambda stage, done, of: None)
+    tell = progress or silent
     nodes, count = tree.nodes, tree.levels[1]
     roots = patches_from(nodes.scene, nodes.rings[:count], nodes.counts[:count], nodes.polygon[:count])
     coarse = compute(
@@ -270,8 +275,6 @@ class _Refiner:
 
     def step(self) -> None:
         """Links for the last block of pairs, where the light is even enough; the others become pairs of parts."""
-        from glsim.radiosity.sweep import link_factors
-
         nodes, pairs = self.tree.nodes, self.open[-1]
         S, spread, tilt = np.empty(len(pairs)), np.empty((len(pairs), 2)), np.empty((len(pairs), 2, 3), np.float32)
         link_factors(

@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
-from glsim.radiosity.bake import GAMMA, automatic_white, radiosity_at, toned
-from glsim.radiosity.formfactors import FormFactors
+from glsim.radiosity.factors import Factors
+from glsim.radiosity.gather import radiosity_at
 from glsim.radiosity.mesh import Mesh
 from glsim.radiosity.patches import Patches
-from glsim.radiosity.scene import Scene, SceneError, View, view_of
-from glsim.radiosity.solvers import Factors, Step
+from glsim.radiosity.scene import SceneError, View, view_of
+from glsim.radiosity.solvers import Step
+from glsim.radiosity.tone import GAMMA, automatic_white, toned
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -34,7 +35,7 @@ class Radiosity:
 
     B: (n, 3) per patch; steps: one for each iteration (only the last has its B); mesh, vertex_radiosity: triangles and
     the radiosity at their vertices (V, 3); seconds: by stage.  white: the radiosity that becomes white (None: chosen by
-    the scene), tone: see bake.TONES, gamma: of the screen.
+    the scene), tone: see tone.TONES, gamma: of the screen.
     """
 
     patches: Patches
@@ -72,22 +73,9 @@ class Radiosity:
 
     def draw(self, colors: Float | None = None) -> None:
         """Draw with the gl commands under the current matrices: vertex colours, GL_SMOOTH, no lighting, fronts only."""
-        from glsim import gl
+        from glsim.radiosity.view import draw_colors
 
-        gl.glDisable(gl.GL_LIGHTING)
-        gl.glShadeModel(gl.GL_SMOOTH)
-        gl.glEnable(gl.GL_DEPTH_TEST)
-        gl.glEnable(gl.GL_CULL_FACE)
-        gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
-        gl.glEnableClientState(gl.GL_COLOR_ARRAY)
-        shown = self.colors() if colors is None else colors
-        gl.glVertexPointer(3, gl.GL_FLOAT, 0, self.mesh.vertices.astype(np.float32))
-        gl.glColorPointer(3, gl.GL_FLOAT, 0, np.ascontiguousarray(shown, np.float32))
-        triangles = self.mesh.triangles.astype(np.uint32)
-        gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
-        for array in (gl.GL_VERTEX_ARRAY, gl.GL_COLOR_ARRAY):
-            gl.glDisableClientState(array)
-        gl.glDisable(gl.GL_CULL_FACE)
+        draw_colors(self.mesh, self.colors() if colors is None else colors)
 
     def colors(self, B: Float | None = None) -> Float:
         """Colours for the screen, (V, 3) in [0, 1], of the vertices' radiosity or of another one."""
@@ -103,12 +91,10 @@ class Radiosity:
         self, size: int = 512, view: int | View = 0, *, colors: Float | None = None, samples: int = 4
     ) -> Image.Image:
         """The scene from one of its cameras.  colors: of the vertices (V, 3), instead of the radiosity."""
-        from glsim.render.context import offscreen
+        from glsim.radiosity.view import picture_of
 
-        with offscreen(size, size, samples=samples) as screen:
-            look(self.view(view), self.patches.scene)
-            self.draw(colors)
-            return screen.image()
+        shown = self.colors() if colors is None else colors
+        return picture_of(self.mesh, shown, self.patches.scene, self.view(view), size, samples)
 
     def direct(self) -> Float:
         """Radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
@@ -161,9 +147,9 @@ class Radiosity:
         """The matrix of form factors, logarithmic.  Raises SceneError if there is none (hierarchical)."""
         from glsim.radiosity.plots import matrix
 
-        if not isinstance(self.factors, FormFactors):
+        if self.factors.matrix is None:
             raise SceneError(f"{self.factors.method} form factors are no matrix that could be shown")
-        return matrix(self.factors.F, size)
+        return matrix(np.asarray(self.factors.matrix / self.patches.area[:, None], np.float64), size)
 
     def __repr__(self) -> str:
         name, n, last = self.patches.scene.name, len(self.patches), self.steps[-1]
@@ -250,20 +236,3 @@ def summary(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("seconds", ", ".join(f"{stage} {value:.2f}" for stage, value in report["seconds"].items())),
         *(("note", note) for note in report["notes"]),
     ]
-
-
-def look(view: View, scene: Scene) -> None:
-    """Set projection and modelview for a camera, and clear."""
-    from glsim import gl
-    from glsim.glu.view import gluLookAt, gluPerspective
-
-    distance = float(np.linalg.norm(np.subtract(view.target, view.eye)))
-    far = distance + 2.0 * scene.size
-    gl.glClearColor(0.0, 0.0, 0.0, 1.0)
-    gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
-    gl.glMatrixMode(gl.GL_PROJECTION)
-    gl.glLoadIdentity()
-    gluPerspective(view.fov, 1.0, far / 2000.0, far)
-    gl.glMatrixMode(gl.GL_MODELVIEW)
-    gl.glLoadIdentity()
-    gluLookAt(*view.eye, *view.target, *view.up)

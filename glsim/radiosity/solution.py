@@ -12,14 +12,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.bake import averaged, gathered
-from glsim.radiosity.formfactors import METHODS, FormFactors, Progress, compute
+from glsim.radiosity.adapt import refined
+from glsim.radiosity.compiled import is_cached
+from glsim.radiosity.factors import Factors
+from glsim.radiosity.formfactors import FormFactors
+from glsim.radiosity.gather import averaged, gathered
 from glsim.radiosity.hierarchy import ACCURACY, linked, tree_of
+from glsim.radiosity.load import scene_from
 from glsim.radiosity.mesh import mesh_of
-from glsim.radiosity.patches import subdivide
+from glsim.radiosity.methods import METHODS, compute
+from glsim.radiosity.pairs import rows
+from glsim.radiosity.progress import Progress, silent
 from glsim.radiosity.result import Radiosity
 from glsim.radiosity.scene import SceneError
-from glsim.radiosity.solvers import WITHOUT_MATRIX, Factors, Step, solved
+from glsim.radiosity.scenes import cornell
+from glsim.radiosity.solvers import WITHOUT_MATRIX, Step, solved
+from glsim.radiosity.subdivide import subdivide
 
 Float = NDArray[np.float64]
 VERTICES = ("gather", "average")
@@ -33,30 +41,26 @@ def solve(
 ) -> Radiosity:  # fmt: skip
     """Radiosity of a scene.
 
-    what: whatever load.scene_from takes.  patches: about how many.  method: of form factors, see formfactors.METHODS;
+    what: whatever load.scene_from takes.  patches: about how many.  method: of form factors, see methods.METHODS;
     "hierarchical" for more patches than there is memory for a matrix, with ``accuracy`` in mean radiosities (see
     hierarchy.linked).  solver: see solvers.SOLVERS; by default "gauss-seidel", and "cg" without a matrix.  adaptive:
     begin with fewer patches and divide those where the light changes fast.  vertices: "gather" (a final gather at each
     vertex) or "average" (of patches).  close: scale the form factors so that rows sum to 1, for closed scenes.  flip:
-    turn all fronts to the other side.  checkpoint: see formfactors.compute.  scheduler: the address of a Dask scheduler
+    turn all fronts to the other side.  checkpoint: see methods.compute.  scheduler: the address of a Dask scheduler
     on whose workers the form factors are found and used; checkpoint is then the name under which they stay there (see
     distributed.Blocks).  threads: for rays, by default one for each processor; the result does not depend on it.
     Raises SceneError.
     """
-    from glsim.radiosity.adapt import refined
-    from glsim.radiosity.kernels import kept, rows
-    from glsim.radiosity.load import scene_from
-
     _check(method, vertices, adaptive, close, scheduler)
     _check_numbers(patches, tolerance, accuracy, threads)
-    tell = progress or (lambda stage, done, of: None)
+    tell = progress or silent
     seconds: dict[str, float] = {}
     with _timed(seconds, "patches"):
         tell("patches", 0, 1)
         scene = scene_from(what)
         scene = (scene.flipped() if flip else scene).checked()
     with _timed(seconds, "compiled code"):
-        once = "only in the first run" if kept(rows) else "in each run: set NUMBA_CACHE_DIR to a folder to keep it"
+        once = "only in the first run" if is_cached(rows) else "in each run: set NUMBA_CACHE_DIR to a folder to keep it"
         tell(f"compiling ({once})", 0, 1)
         _compiled(method == "hierarchical")
         tell(f"compiling ({once})", 1, 1)
@@ -95,8 +99,6 @@ def solve(
 @cache
 def _compiled(hierarchical: bool) -> None:
     """A small box from end to end, so that all that is compiled or loaded from the cache is there."""
-    from glsim.radiosity.scenes import cornell
-
     scene = cornell().checked()
     found: Factors = linked(tree_of(scene, 250)) if hierarchical else compute(subdivide(scene, 60))
     gathered(found, mesh_of(found.patches), solved(found, _usual(found))[-1].B)
@@ -122,7 +124,7 @@ def _timed(seconds: dict[str, float], stage: str) -> Iterator[None]:
 
 
 def _usual(factors: Factors) -> str:
-    return "gauss-seidel" if isinstance(factors, FormFactors) else WITHOUT_MATRIX[0]
+    return WITHOUT_MATRIX[0] if factors.matrix is None else "gauss-seidel"
 
 
 def _check(method: str, vertices: str, adaptive: bool, close: bool, scheduler: str | None) -> None:

@@ -8,17 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.formfactors import FormFactors
-from glsim.radiosity.patches import Patches
+from glsim.radiosity.factors import Factors
+from glsim.radiosity.matrix import sweep
 from glsim.radiosity.scene import SceneError
-
-if TYPE_CHECKING:
-    from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
@@ -34,36 +31,6 @@ class Step(NamedTuple):
     balance: float
 
 
-class Factors(Protocol):
-    """What a system needs to know of form factors: the matrix, or links that stand for it."""
-
-    @property
-    def patches(self) -> Patches: ...
-
-    @property
-    def method(self) -> str: ...
-
-    @property
-    def seconds(self) -> dict[str, float]: ...
-
-    @property
-    def row_sums(self) -> Float: ...
-
-    @property
-    def asymmetry(self) -> float: ...
-
-    def keep(self, checkpoint: str) -> None: ...
-
-    def row(self, i: int) -> Float: ...
-
-    def times(self, B: Float) -> Float: ...
-
-    @property
-    def visibility(self) -> Visibility: ...
-
-    def at_points(self, points: Float, ways: Float, patch: Int, B: Float) -> Float: ...
-
-
 @dataclass(frozen=True)
 class System:
     """times: S B for B (n, 3); area: (n,); rho, E: (n, 3); S: (n, n) symmetric, if there is a matrix."""
@@ -77,9 +44,7 @@ class System:
     @staticmethod
     def of(factors: Factors) -> System:
         patches = factors.patches
-        return System(
-            factors.times, patches.area, patches.rho, patches.E, factors.S if isinstance(factors, FormFactors) else None
-        )
+        return System(factors.times, patches.area, patches.rho, patches.E, factors.matrix)
 
     def gathered(self, B: Float) -> Float:
         """Irradiance: sum_j F_ij B_j for each patch, (n, 3)."""
@@ -141,15 +106,9 @@ def gauss_seidel(system: System, omega: float = 1.0) -> Iterator[Step]:
     iteration = 0
     yield system.step(0, B)
     while True:
-        _sweep(system, B, omega)
+        sweep(system.rows, system.area, system.rho, system.E, B, omega)
         iteration += 1
         yield system.step(iteration, B.copy())
-
-
-def _sweep(system: System, B: Float, omega: float) -> None:
-    from glsim.radiosity.sweep import sweep
-
-    sweep(system.rows, system.area, system.rho, system.E, B, omega)
 
 
 def sor(system: System) -> Iterator[Step]:

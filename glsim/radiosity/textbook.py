@@ -6,8 +6,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.formfactors import Progress
 from glsim.radiosity.patches import Patches
+from glsim.radiosity.progress import Progress
 from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]

@@ -156,7 +156,7 @@ def compare(
     modes: of "flat", "gouraud" (or "smooth"), "phong", "wireframe", "unlit", "native" (the driver's own fixed
         function); and with light that comes from the scene's own surfaces, seen through camera number ``view`` of a
         radiosity.Scene or whatever such can be made from: "direct" (illumination with soft shadows) and "radiosity",
-        solved with ``patches`` patches.  The other modes then show its lamps as OpenGL's lights (see radiosity.lit).
+        solved with ``patches`` patches.  The other modes show its lamps as OpenGL's lights (radiosity.pointlights).
     lobes: "blinn" and/or "phong".  size: of each picture, in pixels.
     lights, material, camera: instead of the scene's own; not for a function, which sets its own.
     progress: called with what is being done, for work that takes long.
@@ -221,8 +221,8 @@ def _compare_radiosity(
 ) -> Comparison:
     """Light from the scene's own surfaces: by the fixed function's equation, directly with shadows, and bouncing."""
     from glsim.radiosity import solve
-    from glsim.radiosity.bake import toned
-    from glsim.radiosity.lit import draw_lit
+    from glsim.radiosity.tone import toned
+    from glsim.radiosity.view import draw_point_lights
     from glsim.render.context import offscreen
 
     result = solve(what, patches, progress=lambda stage, done, of: tell(f"{stage}: {100 * done // max(of, 1)} %"))
@@ -231,7 +231,7 @@ def _compare_radiosity(
     samples = 0 if "native" in modes else 4  # the driver's fixed function is drawn without
     with offscreen(size, size, samples=samples) as screen:
         with capture(calls="native" in modes) as frame:
-            draw_lit(result, result.view(view), result.shown_white)
+            draw_point_lights(result, result.view(view), result.shown_white)
         for mode in modes:
             tell(f"drawing {MODES[mode]}")
             if mode in BOUNCING:

@@ -21,13 +21,14 @@ from typing import Any
 
 import numpy as np
 
-from glsim.radiosity.bake import averaged, gathered, unevenness
-from glsim.radiosity.formfactors import compute
+from glsim.radiosity.gather import averaged, gathered, unevenness
 from glsim.radiosity.hierarchy import ACCURACY, linked, tree_of
 from glsim.radiosity.mesh import mesh_of
-from glsim.radiosity.patches import Patches, subdivide
+from glsim.radiosity.methods import compute
+from glsim.radiosity.patches import Patches
 from glsim.radiosity.scenes import BUILT_IN
 from glsim.radiosity.solvers import solved
+from glsim.radiosity.subdivide import subdivide
 
 
 def ours(parts: Patches) -> np.ndarray:

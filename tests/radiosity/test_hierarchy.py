@@ -7,20 +7,20 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-pytest.importorskip("numba")
-pytest.importorskip("embreex")
-
 from glsim import radiosity
 from glsim.radiosity.adapt import refined
-from glsim.radiosity.bake import gathered, radiosity_at
-from glsim.radiosity.formfactors import FormFactors, compute
+from glsim.radiosity.factors import Factors
+from glsim.radiosity.formfactors import FormFactors
+from glsim.radiosity.gather import gathered, radiosity_at
 from glsim.radiosity.hierarchy import Links, Tree, linked, tree_of, tree_over
 from glsim.radiosity.mesh import mesh_of, outline
-from glsim.radiosity.patches import Patches, subdivide
+from glsim.radiosity.methods import compute
+from glsim.radiosity.patches import Patches
 from glsim.radiosity.quadtree import divided
 from glsim.radiosity.scene import Scene, SceneError
 from glsim.radiosity.scenes import BUILT_IN
-from glsim.radiosity.solvers import Factors, solved
+from glsim.radiosity.solvers import solved
+from glsim.radiosity.subdivide import subdivide
 
 
 def scene(name: str) -> Scene:

@@ -7,14 +7,11 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-pytest.importorskip("numba")
-pytest.importorskip("embreex")
-
 from glsim.radiosity.bodies import bodies_of, surface_of
-from glsim.radiosity.formfactors import compute
-from glsim.radiosity.patches import subdivide
+from glsim.radiosity.methods import compute
 from glsim.radiosity.scene import Builder, Material, Scene, box, normal_of, quad
 from glsim.radiosity.solvers import solved
+from glsim.radiosity.subdivide import subdivide
 from glsim.radiosity.visibility import Visibility
 
 WALL, LAMP = Material("wall", (0.7,) * 3), Material("lamp", (0.0,) * 3, (10.0,) * 3)

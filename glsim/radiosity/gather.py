@@ -7,15 +7,18 @@ surface has a crease.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.exposure import covered
-from glsim.radiosity.formfactors import Progress
+from glsim.radiosity.compiled import parallel, prange
+from glsim.radiosity.factors import Factors
+from glsim.radiosity.hidden import covered
 from glsim.radiosity.mesh import Mesh
 from glsim.radiosity.patches import Patches
-from glsim.radiosity.solvers import Factors
-from glsim.radiosity.sweep import uneven
+from glsim.radiosity.polygon import MOST_CORNERS, area, at_point, bilinear
+from glsim.radiosity.progress import Progress, silent
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
@@ -27,7 +30,7 @@ def radiosity_at(
     factors: Factors, points: Float, normals: Float, patch: Int, B: Float, progress: Progress | None = None
 ) -> Float:
     """Radiosity (k, 3) at points on the patches ``patch``: E + rho times the irradiance that all patches send there."""
-    tell = progress or (lambda stage, done, of: None)
+    tell = progress or silent
     patches = factors.patches
     raised = points + 1e-6 * patches.scene.size * normals
     H = np.empty((len(points), 3))
@@ -61,12 +64,44 @@ def unevenness(factors: Factors, points: Float, normals: Float, bright: Float) -
     columns = np.repeat(np.arange(len(patches)), [len(some) for some in around])
     rows = np.concatenate([np.asarray(some, np.int64) for some in around])
     added = np.zeros((len(rows), 3))
-    uneven(points, normals, rows, patches.rings, patches.counts, patches.normal, columns, bright, NEAR, added)
+    _uneven(points, normals, rows, patches.rings, patches.counts, patches.normal, columns, bright, NEAR, added)
     near = np.flatnonzero(added.any(axis=1))
     rows, columns, added = rows[near], columns[near], added[near]
     many = np.zeros(len(rows), np.bool_)
     seen = factors.visibility.from_points(points, normals, patches, rows, columns, many)
     return np.stack([np.bincount(rows, seen * added[:, k], len(points)) for k in range(3)], axis=1)
+
+
+@parallel
+def _uneven(
+    points: Any, ways: Any, rows: Any, rings: Any, counts: Any, normals: Any, columns: Any, bright: Any, least: float,
+    out: Any,
+) -> None:  # fmt: skip
+    """What is added to the irradiance at points[rows] because patches[columns] are as bright as ``bright`` (n, 4, 3)
+    between their corners, and not evenly so bright as their mean: (k, 3).  0 for form factors below ``least``."""
+    parts = 4  # along each edge
+    for row in prange(len(rows)):
+        v, j = rows[row], columns[row]
+        work, ring = np.empty((MOST_CORNERS, 3)), np.empty((4, 3))
+        whole = at_point(points[v], ways[v], rings[j], counts[j], normals[j], work)
+        if whole < least:
+            continue
+        value, total, whole_area = np.zeros(3), np.zeros(3), 0.0
+        for s in range(parts):
+            for t in range(parts):
+                for c in range(4):
+                    u, w = (s + (c == 1 or c == 2)) / parts, (t + (c >= 2)) / parts
+                    for k in range(3):
+                        ring[c, k] = bilinear(rings[j], u, w, k)
+                factor = at_point(points[v], ways[v], ring, 4, normals[j], work)
+                weight = area(ring, 4)
+                whole_area += weight
+                for k in range(3):
+                    b = bilinear(bright[j], (s + 0.5) / parts, (t + 0.5) / parts, k)
+                    value[k] += factor * b
+                    total[k] += weight * b
+        for k in range(3):
+            out[row, k] = value[k] - whole * total[k] / whole_area
 
 
 def averaged(patches: Patches, mesh: Mesh, B: Float) -> Float:
@@ -77,33 +112,3 @@ def averaged(patches: Patches, mesh: Mesh, B: Float) -> Float:
     area = patches.area[patch]
     weight = np.bincount(vertex, area, len(mesh.vertices))
     return np.stack([np.bincount(vertex, area * B[patch, k], len(weight)) / weight for k in range(3)], axis=1)
-
-
-# ---------------------------------------------------------------- from radiosity to the screen
-
-TONES = {
-    "linear": "B / white, cut off at 1",
-    "reinhard": "L / (1 + L) with L = B / white, for scenes with bright lamps (Reinhard et al. 2002)",
-}
-GAMMA = 2.2
-
-
-def automatic_white(patches: Patches, B: Float) -> float:
-    """The radiosity that becomes white: a little more than what 95 % of the lit area has, lamps aside."""
-    dark = patches.E.max(axis=1) == 0.0
-    chosen = dark if dark.any() else np.ones(len(B), bool)
-    values, areas = B[chosen].max(axis=1), patches.area[chosen]
-    order = np.argsort(values)
-    share = np.cumsum(areas[order]) / areas.sum()
-    white = float(values[order][min(int(np.searchsorted(share, 0.95)), len(order) - 1)]) * 1.1
-    return white if white > 0.0 else 1.0
-
-
-def toned(B: Float, white: float, tone: str = "linear", gamma: float = GAMMA) -> Float:
-    """Colours in [0, 1] for the screen: tone mapping, then the power 1 / gamma."""
-    if tone not in TONES:
-        raise ValueError(f"tones are {', '.join(TONES)}, not {tone!r}")
-    L = np.maximum(B, 0.0) / white
-    if tone == "reinhard":
-        L = L / (1.0 + L)
-    return np.asarray(np.clip(L, 0.0, 1.0) ** (1.0 / gamma))

@@ -1,4 +1,4 @@
-"""The inner loops of the solvers and of links, compiled; S is float32, sums are float64."""
+"""Links between nodes in inner loops."""
 
 from __future__ import annotations
 
@@ -6,49 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from glsim.radiosity.kernels import (
-    MOST_CORNERS,
-    _area,
-    _dot,
-    at_point,
-    clip,
-    jit,
-    lambert,
-    pair,
-    parallel,
-    prange,
-    too_far,
-)
-
-
-@jit
-def sweep(S: Any, area: Any, rho: Any, E: Any, B: Any, omega: float) -> None:
-    """B_i <- (1 - omega) B_i + omega (E_i + rho_i sum_j S_ij B_j / A_i), in order; B (n, 3) is changed."""
-    n = len(area)
-    for i in range(n):
-        r = g = b = 0.0
-        for j in range(n):
-            s = S[i, j]
-            r += s * B[j, 0]
-            g += s * B[j, 1]
-            b += s * B[j, 2]
-        B[i, 0] += omega * (E[i, 0] + rho[i, 0] * r / area[i] - B[i, 0])
-        B[i, 1] += omega * (E[i, 1] + rho[i, 1] * g / area[i] - B[i, 1])
-        B[i, 2] += omega * (E[i, 2] + rho[i, 2] * b / area[i] - B[i, 2])
-
-
-@parallel
-def product(S: Any, B: Any, out: Any) -> None:
-    """out = S B for B (n, 3)."""
-    n = len(S)
-    for i in prange(n):
-        r = g = b = 0.0
-        for j in range(n):
-            s = S[i, j]
-            r += s * B[j, 0]
-            g += s * B[j, 1]
-            b += s * B[j, 2]
-        out[i, 0], out[i, 1], out[i, 2] = r, g, b
+from glsim.radiosity.compiled import jit, parallel, prange
+from glsim.radiosity.pairs import pair
+from glsim.radiosity.polygon import MOST_CORNERS, at_point, clip, dot, lambert, too_far
 
 
 @jit
@@ -107,25 +67,25 @@ def _linear(
     values, at = np.empty(5), np.empty((5, 3))
     for c in range(5):
         here = centers[p] if c == 4 else centers[child + c]
-        kept = clip(ring, count, normal, _dot(normal, here), work)
+        kept = clip(ring, count, normal, dot(normal, here), work)
         values[c] = max(lambert(here, normal, work, kept), 0.0) if kept > 2 else 0.0
         at[c] = here - centers[p]
     mean = (values[0] + values[1] + values[2] + values[3]) / 4.0
     if mean <= 0.0:
         return float(values[4])
     x = at[1] - at[0]
-    x = x / np.sqrt(_dot(x, x))
+    x = x / np.sqrt(dot(x, x))
     y = np.array([normal[1] * x[2] - normal[2] * x[1], normal[2] * x[0] - normal[0] * x[2],
                   normal[0] * x[1] - normal[1] * x[0]])  # fmt: skip
     xx = xy = yy = fx = fy = 0.0
     for c in range(4):
-        u, v, f = _dot(at[c], x), _dot(at[c], y), values[c] - mean
+        u, v, f = dot(at[c], x), dot(at[c], y), values[c] - mean
         xx, xy, yy, fx, fy = xx + u * u, xy + u * v, yy + v * v, fx + f * u, fy + f * v
     below = xx * yy - xy * xy
     a, b = (fx * yy - fy * xy) / below, (fy * xx - fx * xy) / below
     least, worst = mean, 0.0
     for c in range(5):
-        value = mean + a * _dot(at[c], x) + b * _dot(at[c], y)
+        value = mean + a * dot(at[c], x) + b * dot(at[c], y)
         worst = max(worst, abs(values[c] - value))
         least = min(least, mean + 2.0 * (value - mean))  # towards the corners
     share = 1.0 if least >= 0.0 else mean / (mean - least)
@@ -163,43 +123,3 @@ def links_at(
                     kept += 1
             p = parent[p]
     return rows[:kept], columns[:kept], factors[:kept]
-
-
-@parallel
-def uneven(
-    points: Any, ways: Any, rows: Any, rings: Any, counts: Any, normals: Any, columns: Any, bright: Any, least: float,
-    out: Any,
-) -> None:  # fmt: skip
-    """What is added to the irradiance at points[rows] because patches[columns] are as bright as ``bright`` (n, 4, 3)
-    between their corners, and not evenly so bright as their mean: (k, 3).  0 for form factors below ``least``."""
-    parts = 4  # along each edge
-    for row in prange(len(rows)):
-        v, j = rows[row], columns[row]
-        work, ring = np.empty((MOST_CORNERS, 3)), np.empty((4, 3))
-        whole = at_point(points[v], ways[v], rings[j], counts[j], normals[j], work)
-        if whole < least:
-            continue
-        value, total, area = np.zeros(3), np.zeros(3), 0.0
-        for s in range(parts):
-            for t in range(parts):
-                for c in range(4):
-                    u, w = (s + (c == 1 or c == 2)) / parts, (t + (c >= 2)) / parts
-                    for k in range(3):
-                        ring[c, k] = _between(rings[j], u, w, k)
-                factor = at_point(points[v], ways[v], ring, 4, normals[j], work)
-                weight = _area(ring, 4)
-                area += weight
-                for k in range(3):
-                    b = _between(bright[j], (s + 0.5) / parts, (t + 0.5) / parts, k)
-                    value[k] += factor * b
-                    total[k] += weight * b
-        for k in range(3):
-            out[row, k] = value[k] - whole * total[k] / area
-
-
-@jit
-def _between(corners: Any, u: float, v: float, k: int) -> float:
-    """Bilinear between four corners, u from the first to the second, v from the first to the last."""
-    near = corners[0, k] + u * (corners[1, k] - corners[0, k])
-    far = corners[3, k] + u * (corners[2, k] - corners[3, k])
-    return float(near + v * (far - near))

@@ -8,9 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-pytest.importorskip("numba")
-pytest.importorskip("embreex")
-
 from glsim import radiosity
 from glsim.gl import *
 from glsim.glut import glutSolidCube, glutSolidCylinder, glutSolidSphere, glutSolidTeapot

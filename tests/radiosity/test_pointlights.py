@@ -8,14 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-pytest.importorskip("numba")
-pytest.importorskip("embreex")
-
 from glsim import radiosity
 from glsim.cli import main
-from glsim.radiosity.lit import ambient_of, lamps_of
-from glsim.radiosity.patches import subdivide
+from glsim.radiosity.pointlights import ambient_of, lamps_of
 from glsim.radiosity.scene import Builder, Material, Scene, View, box, quad
+from glsim.radiosity.subdivide import subdivide
 from glsim.scenes import Camera
 from glsim.study.compare import compare
 
