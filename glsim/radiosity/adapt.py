@@ -19,8 +19,10 @@ ROUNDS = 8  # at most
 
 
 def refined(patches: Patches, count: int, factors_of: Callable[[Patches], Factors]) -> Patches:
-    """Patches divided, those first whose interpolated radiosity is most wrong, until there are about ``count``; their
-    number at most doubles between two solutions."""
+    """Divide patches until there are about ``count``, those first whose interpolated radiosity is most wrong.
+
+    factors_of: finds the form factors of patches.  Between two solutions the number of patches at most doubles.
+    """
     for _ in range(ROUNDS):
         wanted = min(count, 2 * len(patches)) - len(patches)
         if wanted < 3:
@@ -36,7 +38,7 @@ def refined(patches: Patches, count: int, factors_of: Callable[[Patches], Factor
 
 
 def interpolation_error(factors: Factors) -> Float:
-    """(n,): how far, at the middle of each patch, the radiosity gathered there is from the one between its corners."""
+    """Return how far the radiosity gathered at each patch's middle is from the mean at its corners: (n,)."""
     patches = factors.patches
     B = solved(factors, tolerance=1e-4)[-1].B
     mesh = mesh_of(patches)

@@ -17,6 +17,7 @@ prange = nb.prange  # for others, so that the sentence above comes first
 
 
 def _compiled(function: Function, **options: Any) -> Function:
+    """Compile a function, with a cache on disk where numba finds a folder for it."""
     try:
         compiled: Any = nb.njit(cache=True, nogil=True, error_model="numpy", **options)(function)
     except (RuntimeError, OSError):  # numba finds no folder that it may write into
@@ -25,16 +26,19 @@ def _compiled(function: Function, **options: Any) -> Function:
 
 
 def jit(function: Function) -> Function:
-    """Compile; the result is kept on disk for the next run, where a folder can be written: NUMBA_CACHE_DIR, glsim's own
-    or one in the user's home."""
+    """Compile a function at its first call.
+
+    The machine code is kept on disk for the next run if one of these folders can be written: NUMBA_CACHE_DIR, glsim's
+    own, one in the user's home.
+    """
     return _compiled(function)
 
 
 def parallel(function: Function) -> Function:
-    """The same with threads for nb.prange."""
+    """Compile a function like ``jit``, with several threads for its loops over ``prange``."""
     return _compiled(function, parallel=True)
 
 
 def is_cached(function: Any) -> bool:
-    """Whether what was compiled is kept for the next run."""
+    """Return whether a compiled function is kept on disk for the next run."""
     return bool(function.stats.cache_path)

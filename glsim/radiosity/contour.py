@@ -1,4 +1,7 @@
-"""The form factor of two polygons by Stokes' theorem twice, a sum over pairs of their edges."""
+"""The form factor of two polygons as a sum over pairs of their edges: Stokes' theorem, used twice.
+
+Source: Sparrow, A new and simpler formulation for radiative angle factors (1963).
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,10 @@ GAUSS_12 = np.stack([(_x + 1.0) / 2.0, _w / 2.0])
 
 
 def _tanh_sinh(step: float, count: int) -> Float:
-    """Nodes in (0, 1), counted from the nearer end with a sign, and weights: exact at ends where f has a logarithm."""
+    """Return nodes in (0, 1) and weights, (2, 2 count + 1), of a quadrature for logarithms at both ends.
+
+    Tanh-sinh quadrature (Takahasi and Mori 1974): nodes crowd at the ends so fast that singularities there do not hurt.
+    """
     t = step * np.arange(-count, count + 1)
     u = np.pi / 2.0 * np.sinh(t)
     return np.stack([1.0 / (1.0 + np.exp(-2.0 * u)), step * np.pi / 2.0 * np.cosh(t) / (2.0 * np.cosh(u) ** 2)])
@@ -30,7 +36,10 @@ SINGULAR, SINGULAR_FINE = _tanh_sinh(0.28, 11), _tanh_sinh(0.17, 20)
 
 @jit
 def _inner(p: Any, a: Any, d: Any, length: float) -> float:
-    """Integral of ln |p - q| over the edge from a along the unit vector d: exact."""
+    """Return the exact integral of ln |p - q| over all points q of an edge.
+
+    p: (3,); the edge begins at a (3,) and runs ``length`` along the unit vector d (3,).
+    """
     rx, ry, rz = p[0] - a[0], p[1] - a[1], p[2] - a[2]
     u_0 = -(rx * d[0] + ry * d[1] + rz * d[2])
     u_1 = u_0 + length
@@ -49,7 +58,11 @@ def _inner(p: Any, a: Any, d: Any, length: float) -> float:
 
 @jit
 def _edges(a: Any, b: Any, c: Any, d: Any, exact: bool) -> float:
-    """(d_1 . d_2) times the double integral of ln r over the edges a-b and c-d."""
+    """Return d_1 . d_2 times the double integral of ln r over the edges a-b and c-d, d_1 and d_2 being unit vectors.
+
+    The inner integral, over the longer edge, is exact.  The outer one is a quadrature, chosen by how near the edges
+    come to each other; ``exact`` takes more nodes.
+    """
     one, two = np.empty(3), np.empty(3)
     length_1 = length_2 = 0.0
     for k in range(3):
@@ -118,7 +131,11 @@ def _edges(a: Any, b: Any, c: Any, d: Any, exact: bool) -> float:
 
 @jit
 def contour(one: Any, n_1: int, two: Any, n_2: int, exact: bool) -> float:
-    """S of two polygons, each wholly in front of the other: 1/(2 pi) sum over edges of d_1.d_2 double integral ln r."""
+    """Return S = A_1 F_12 of two polygons of which each is wholly in front of the other.
+
+    one, two: corners (k, 3), of which the first n_1 and n_2 count.  S = 1/(2 pi) times the sum of ``_edges`` over all
+    pairs of their edges.
+    """
     total = 0.0
     for k in range(n_1):
         for m in range(n_2):

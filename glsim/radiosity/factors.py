@@ -18,7 +18,9 @@ class Factors(Protocol):
     """The form factors of n patches: a matrix (FormFactors), links (Links), or blocks on other machines (Blocks)."""
 
     @property
-    def patches(self) -> Patches: ...
+    def patches(self) -> Patches:
+        """What the form factors are between."""
+        ...
 
     @property
     def method(self) -> str:
@@ -31,7 +33,9 @@ class Factors(Protocol):
         ...
 
     @property
-    def visibility(self) -> Visibility: ...
+    def visibility(self) -> Visibility:
+        """Who sees whom, for the final gather."""
+        ...
 
     @property
     def matrix(self) -> NDArray[np.float32] | None:
@@ -49,15 +53,15 @@ class Factors(Protocol):
         ...
 
     def row(self, i: int) -> Float:
-        """F_i (n,)."""
+        """Return F[i, :], (n,)."""
         ...
 
     def times(self, B: Float) -> Float:
-        """S B (n, 3) for radiosities B (n, 3)."""
+        """Return S B (n, 3) for radiosities B (n, 3)."""
         ...
 
     def at_points(self, points: Float, normals: Float, patch: Int, B: Float) -> Float:
-        """The irradiance (k, 3) at points (k, 3) with unit normals (k, 3), on the patches numbered ``patch`` (k,)."""
+        """Return the irradiance (k, 3) at points (k, 3) with unit normals (k, 3), on the patches ``patch`` (k,)."""
         ...
 
     def keep(self, checkpoint: str) -> None:

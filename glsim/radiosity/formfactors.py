@@ -27,8 +27,11 @@ DIM = 3e-4  # of what all send to a point in the mean: for less, few rays are en
 
 @dataclass(frozen=True, repr=False)
 class FormFactors:
-    """S: (n, n) float32, symmetric.  visibility: rays in the scene, for what is asked later.  seconds: by stage.
-    error: (n, n) standard errors of S, for "monte-carlo"."""
+    """The matrix of form factors of n patches: a kind of factors.Factors.
+
+    S: (n, n) float32, S_ij = A_i F_ij, symmetric; method: a name of methods.METHODS; seconds: by stage; error: (n, n),
+    the standard errors of S, of "monte-carlo" alone.
+    """
 
     patches: Patches
     visibility: Visibility
@@ -41,12 +44,12 @@ class FormFactors:
         return f"<FormFactors of {self.patches.scene.name}: {len(self.S)} x {len(self.S)}, {self.method}>"
 
     def row(self, i: int) -> Float:
-        """F[i, :], (n,)."""
+        """Return F[i, :], (n,): the shares of patch i's light that arrive at each patch."""
         return np.asarray(self.S[i] / self.patches.area[i], np.float64)
 
     @property
     def F(self) -> Float:
-        """The whole matrix, (n, n) float64: for small scenes and lessons."""
+        """F as a matrix (n, n) float64: for small scenes and lessons."""
         return np.asarray(self.S / self.patches.area[:, None], np.float64)
 
     @property
@@ -60,14 +63,14 @@ class FormFactors:
         return np.asarray(self.S.sum(axis=1, dtype=np.float64) / self.patches.area)
 
     def times(self, B: Float) -> Float:
-        """S B for B (n, 3), summed in float64."""
+        """Return S B (n, 3) for B (n, 3), summed in float64."""
         result = np.empty((len(self.S), 3))
         matrix.product(self.S, np.ascontiguousarray(B), result)
         return result
 
-    def at_points(self, points: Float, ways: Float, patch: Int, B: Float) -> Float:
-        """Irradiance (k, 3) at points with normals ``ways``, from all patches, whichever patch they are on."""
-        return irradiance(self.patches, self.visibility, points, ways, B)
+    def at_points(self, points: Float, normals: Float, patch: Int, B: Float) -> Float:
+        """Return the irradiance (k, 3) at points (k, 3) with unit normals (k, 3), from all patches."""
+        return irradiance(self.patches, self.visibility, points, normals, B)
 
     @property
     def asymmetry(self) -> float:
@@ -78,12 +81,15 @@ class FormFactors:
         )
 
     def keep(self, checkpoint: str) -> None:
-        """Save them where the next ``compute`` looks."""
+        """Save the matrix in the file ``checkpoint``, in which the next ``compute`` looks."""
         if self.method in ("contour", "analytic"):
             Checkpoint(checkpoint, self.patches, f"{self.method} False").save(rows=np.triu(self.S))
 
     def closed(self, rounds: int = 50) -> FormFactors:
-        """Scaled symmetrically so that each row sums to 1: for scenes that are closed.  S_ij becomes c_i c_j S_ij."""
+        """Return form factors scaled so that each row sums to 1, for scenes that are closed.
+
+        S_ij becomes c_i c_j S_ij, which stays symmetric; the factors c are found by iteration.
+        """
         area, S = self.patches.area, self.S.astype(np.float64)
         c = np.ones(len(area))
         for _ in range(rounds):
@@ -91,21 +97,24 @@ class FormFactors:
         return replace(self, S=(c[:, None] * S * c).astype(np.float32), error=None)
 
 
-def irradiance(patches: Patches, visibility: Visibility, points: Float, ways: Float, B: Float) -> Float:
-    """Irradiance (k, 3) at points with normals ``ways`` from patches of radiosity B."""
+def irradiance(patches: Patches, visibility: Visibility, points: Float, normals: Float, B: Float) -> Float:
+    """Return the irradiance (k, 3) at points (k, 3) with unit normals (k, 3), from patches of radiosity B (n, 3).
+
+    Form factors along which hardly any light comes are left out (NEGLIGIBLE), others get few rays (DIM).
+    """
     p = patches
     bright = brightness(p, B)
     least = NEGLIGIBLE / len(p) / bright
     factors = np.zeros((len(points), len(p)))
-    pairs.point_factors(points, ways, p.rings, p.counts, p.normal, p.center, p.size, least, factors)
+    pairs.point_factors(points, normals, p.corners, p.counts, p.normal, p.center, p.size, least, factors)
     rows, columns = np.nonzero(factors)
     dim = factors[rows, columns] < DIM / bright[columns]
-    factors[rows, columns] *= visibility.from_points(points, ways, p, rows, columns, dim)
+    factors[rows, columns] *= visibility.from_points(points, normals, p, rows, columns, dim)
     return np.asarray(factors @ B)
 
 
 def brightness(patches: Patches, B: Float) -> Float:
-    """(n,): the radiosity of patches, as a part of the mean of all."""
+    """Return the brightest channel of B (n, 3), relative to its mean over the area: (n,), more than 0."""
     most = B.max(axis=1)
     return np.asarray(np.maximum(most / max(float(np.average(most, weights=patches.area)), 1e-300), 1e-300))
 
@@ -118,7 +127,11 @@ def by_pairs(
     progress: Progress,
     checkpoint: str | None,
 ) -> tuple[NDArray[np.float32], dict[str, float]]:
-    """Blocks of rows: first what would arrive if nothing were in between, then the share that does."""
+    """Find S (n, n) in blocks of rows, and the seconds of each stage.
+
+    For each pair first what would arrive if nothing were in between, then the share that is not blocked; without
+    ``visibility`` all of it.  The other arguments as for methods.compute.
+    """
     n = len(patches)
     S = np.zeros((n, n), np.float32)
     seconds = {"form factors": 0.0, "visibility": 0.0}
@@ -143,7 +156,7 @@ def by_pairs(
 
 
 def next_rows(n: int, first: int, size: int | None = None) -> int:
-    """Where the block of rows that begins at ``first`` ends, of about ``size`` pairs, by default BLOCK."""
+    """Return where the block of rows that begins at ``first`` ends, if it has about ``size`` pairs (default: BLOCK)."""
     return min(n, first + max(1, (size or BLOCK) // (n - first)))
 
 
@@ -151,14 +164,17 @@ def upper_rows(
     patches: Patches, visibility: Visibility | None, first: int, last: int, exact: bool, out: NDArray[np.float32],
     seconds: dict[str, float],
 ) -> None:  # fmt: skip
-    """S of patches first..last with all of higher number, into ``out`` (last - first, n)."""
+    """Write S of patches ``first`` up to ``last`` with all of higher number into out (last - first, n).
+
+    visibility: None if nothing blocks.  seconds: by stage, gets what this took added.
+    """
     p, start = patches, time.perf_counter()
-    pairs.rows(p.rings, p.counts, p.normal, p.center, p.size, first, last, exact, out)
+    pairs.rows(p.corners, p.counts, p.normal, p.center, p.size, first, last, exact, out)
     middle = time.perf_counter()
     if visibility is not None:
         rows, columns = np.nonzero(out[:, first:])
         numbers = np.stack([rows + first, columns + first], axis=1)
-        shares = visibility.fractions(p.rings, p.counts, p.normal, numbers)
+        shares = visibility.fractions(p.corners, p.counts, p.normal, numbers)
         out[rows, columns + first] *= shares.astype(np.float32)
     seconds["form factors"] += middle - start
     seconds["visibility"] += time.perf_counter() - middle

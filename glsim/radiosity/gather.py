@@ -1,8 +1,7 @@
-"""From radiosity of patches to colours of vertices.
+"""From the radiosity of patches to the radiosity of vertices.
 
-The light at a vertex is gathered there once more from all patches (a final gather), as if the vertex were a small
-patch; the mean of the patches around it, which textbooks take, stays as ``averaged``.  Vertices are split where the
-surface has a crease.
+A final gather collects the light of all patches once more at each vertex, as if the vertex were a small patch.
+``averaged`` takes the mean of the patches around a vertex instead, as textbooks do (Cohen & Wallace 1993, section 9.1).
 """
 
 from __future__ import annotations
@@ -29,7 +28,10 @@ NEAR = 0.02  # form factors from which on it matters that a patch is not evenly 
 def radiosity_at(
     factors: Factors, points: Float, normals: Float, patch: Int, B: Float, progress: Progress | None = None
 ) -> Float:
-    """Radiosity (k, 3) at points on the patches ``patch``: E + rho times the irradiance that all patches send there."""
+    """Return the radiosity (k, 3) at points: E + rho times the irradiance that all patches send there.
+
+    points: (k, 3), with unit normals (k, 3), on the patches numbered ``patch`` (k,); B: (n, 3) of the patches.
+    """
     tell = progress or silent
     patches = factors.patches
     raised = points + 1e-6 * patches.scene.size * normals
@@ -42,20 +44,28 @@ def radiosity_at(
 
 
 def gathered(factors: Factors, mesh: Mesh, B: Float, progress: Progress | None = None) -> Float:
-    """Radiosity at the vertices (V, 3).  First as if each patch were evenly bright; then, where a patch is near, with
-    what this shows between its corners.  Vertices inside of a body take the mean of the patches around."""
+    """Return the radiosity at the mesh's vertices (V, 3), from the radiosity B (n, 3) of the patches.
+
+    The first gather takes every patch as evenly bright.  It gives the patches' corners a radiosity, with which near
+    patches are gathered again, bilinearly bright.  Vertices inside a body take the mean of the patches around them.
+    """
     even = radiosity_at(factors, mesh.at, mesh.normals, mesh.patch, B, progress)
     shown = even
-    for _ in range(2):  # the second with corners that the first has mended
+    for _ in range(2):  # the second time from better corners
         added = unevenness(factors, mesh.at, mesh.normals, shown[mesh.corners])
         shown = np.maximum(even + factors.patches.rho[mesh.patch] * added, 0.0)
-    hidden = covered(factors.patches.scene, mesh.at, mesh.normals)  # nobody sees them, but the triangles around
+    hidden = covered(
+        factors.visibility.rays, mesh.at, mesh.normals
+    )  # inside a body, but their triangles reach out of it
     return np.where(hidden[:, None], averaged(factors.patches, mesh, B), shown)
 
 
 def unevenness(factors: Factors, points: Float, normals: Float, bright: Float) -> Float:
-    """What it adds to the irradiance at points (k, 3) that patches near them are as bright as ``bright`` (n, 4, 3)
-    between their corners, and not evenly."""
+    """Return what the irradiance at points changes if patches near them are not evenly bright: (k, 3).
+
+    points: (k, 3), with unit normals (k, 3); bright: (n, 4, 3), the radiosity at the patches' corners, between which it
+    is bilinear.
+    """
     from scipy.spatial import cKDTree
 
     patches = factors.patches
@@ -64,7 +74,7 @@ def unevenness(factors: Factors, points: Float, normals: Float, bright: Float) -
     columns = np.repeat(np.arange(len(patches)), [len(some) for some in around])
     rows = np.concatenate([np.asarray(some, np.int64) for some in around])
     added = np.zeros((len(rows), 3))
-    _uneven(points, normals, rows, patches.rings, patches.counts, patches.normal, columns, bright, NEAR, added)
+    _uneven(points, normals, rows, patches.corners, patches.counts, patches.normal, columns, bright, NEAR, added)
     near = np.flatnonzero(added.any(axis=1))
     rows, columns, added = rows[near], columns[near], added[near]
     many = np.zeros(len(rows), np.bool_)
@@ -74,16 +84,20 @@ def unevenness(factors: Factors, points: Float, normals: Float, bright: Float) -
 
 @parallel
 def _uneven(
-    points: Any, ways: Any, rows: Any, rings: Any, counts: Any, normals: Any, columns: Any, bright: Any, least: float,
-    out: Any,
+    points: Any, normals: Any, rows: Any, corners: Any, counts: Any, patch_normals: Any, columns: Any, bright: Any,
+    least: float, out: Any,
 ) -> None:  # fmt: skip
-    """What is added to the irradiance at points[rows] because patches[columns] are as bright as ``bright`` (n, 4, 3)
-    between their corners, and not evenly so bright as their mean: (k, 3).  0 for form factors below ``least``."""
+    """Write how the irradiance at points[rows] changes if patches[columns] are not evenly bright, into out (k, 3).
+
+    rows, columns: (k,).  Each patch is cut into 4 x 4 parts.  The change is the light from all parts, each with the
+    radiosity at its middle (bilinear between ``bright`` (n, 4, 3) at the corners), minus the light from the whole patch
+    with the mean radiosity.  Form factors below ``least`` give 0.  Nothing is in between.
+    """
     parts = 4  # along each edge
     for row in prange(len(rows)):
         v, j = rows[row], columns[row]
-        work, ring = np.empty((MOST_CORNERS, 3)), np.empty((4, 3))
-        whole = at_point(points[v], ways[v], rings[j], counts[j], normals[j], work)
+        work, part = np.empty((MOST_CORNERS, 3)), np.empty((4, 3))
+        whole = at_point(points[v], normals[v], corners[j], counts[j], patch_normals[j], work)
         if whole < least:
             continue
         value, total, whole_area = np.zeros(3), np.zeros(3), 0.0
@@ -92,9 +106,9 @@ def _uneven(
                 for c in range(4):
                     u, w = (s + (c == 1 or c == 2)) / parts, (t + (c >= 2)) / parts
                     for k in range(3):
-                        ring[c, k] = bilinear(rings[j], u, w, k)
-                factor = at_point(points[v], ways[v], ring, 4, normals[j], work)
-                weight = area(ring, 4)
+                        part[c, k] = bilinear(corners[j], u, w, k)
+                factor = at_point(points[v], normals[v], part, 4, patch_normals[j], work)
+                weight = area(part, 4)
                 whole_area += weight
                 for k in range(3):
                     b = bilinear(bright[j], (s + 0.5) / parts, (t + 0.5) / parts, k)
@@ -105,7 +119,7 @@ def _uneven(
 
 
 def averaged(patches: Patches, mesh: Mesh, B: Float) -> Float:
-    """Radiosity at the vertices as the mean of the patches around, by their areas: what textbooks teach first."""
+    """Return the radiosity at the vertices (V, 3): the mean of the patches around, weighted by their areas."""
     vertex, patch = np.divmod(
         np.unique(mesh.triangles.ravel() * len(patches) + np.repeat(mesh.triangle_patch, 3)), len(patches)
     )

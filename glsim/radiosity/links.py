@@ -1,4 +1,8 @@
-"""Links between nodes in inner loops."""
+"""Links between the nodes of trees in inner loops, see hierarchy.py.
+
+A node is a patch or a part of one.  Its arrays: corners (N, 4, 3); counts, sizes (diameters) (N,); normals, centers
+(N, 3); child (N,), the first of its four parts, -1 for a leaf; parent (N,), -1 for a root.
+"""
 
 from __future__ import annotations
 
@@ -13,10 +17,12 @@ from glsim.radiosity.polygon import MOST_CORNERS, at_point, clip, dot, lambert, 
 
 @jit
 def along_links(ends: Any, S: Any, tilt: Any, B: Any, moments: Any, out: Any, slopes: Any) -> None:
-    """Adds to what arrives at nodes: the irradiance times area ``out`` (N, 3) and its slope times area ``slopes``
-    (N, 3, 3), channel and direction.  B: means (N, 3); moments: means of B (x - center), (N, 3, 3).
+    """Send light along k links in both directions, and add what arrives to ``out`` and ``slopes``.
 
-    A link's form factor at x on its first end is S / A (1 + tilt . (x - center)), and so on its second.
+    ends: (k, 2), the nodes that each link joins; S: (k,), A_p F_pq; tilt: (k, 2, 3): at a point x of either end, with
+    area A, the form factor is S / A (1 + tilt . (x - center)).  B: (N, 3), the mean radiosity of each node; moments:
+    (N, 3, 3), its mean of B (x - center) by channel and direction.
+    out: (N, 3), irradiance times area; slopes: (N, 3, 3), how that changes over the node, by channel and direction.
     """
     sent = np.empty((2, 3))
     for k in range(len(S)):
@@ -37,39 +43,45 @@ def along_links(ends: Any, S: Any, tilt: Any, B: Any, moments: Any, out: Any, sl
 
 @parallel
 def link_factors(
-    rings: Any, counts: Any, normals: Any, centers: Any, sizes: Any, child: Any, pairs: Any, S: Any, tilt: Any,
+    corners: Any, counts: Any, normals: Any, centers: Any, sizes: Any, child: Any, pairs: Any, S: Any, tilt: Any,
     uneven: Any,
 ) -> None:  # fmt: skip
-    """S (k,) of pairs of nodes (k, 2), nothing in between; for each end how the form factor changes over it, relative
-    to its mean: tilt (k, 2, 3); and by how much it differs from that at the middles of its parts, (k, 2).  An element
-    has neither."""
+    """Write the form factors of pairs of nodes (k, 2) with nothing in between, and how these change over each end.
+
+    S: (k,), A_p F_pq.  tilt: (k, 2, 3), see ``along_links``.  uneven: (k, 2), how far the form factor at the middles
+    of an end's parts is from the linear one, at most.  For leaves tilt and uneven are 0.
+    """
     for row in prange(len(pairs)):
         p, q = pairs[row, 0], pairs[row, 1]
         work_1, work_2 = np.empty((MOST_CORNERS, 3)), np.empty((MOST_CORNERS, 3))
         S[row] = pair(
-            rings[p], counts[p], normals[p], rings[q], counts[q], normals[q], centers[p], centers[q], sizes[p],
+            corners[p], counts[p], normals[p], corners[q], counts[q], normals[q], centers[p], centers[q], sizes[p],
             sizes[q], False, work_1, work_2,
         )  # fmt: skip
         for e in range(2):
             uneven[row, e] = 0.0
             tilt[row, e] = 0.0
             if S[row] > 0.0 and child[p] >= 0:
-                uneven[row, e] = _linear(centers, normals[p], p, child[p], rings[q], counts[q], tilt[row, e], work_1)
+                uneven[row, e] = _linear(centers, normals[p], p, child[p], corners[q], counts[q], tilt[row, e], work_1)
             p, q = q, p
 
 
 @jit
 def _linear(
-    centers: Any, normal: Any, p: int, child: int, ring: Any, count: int, tilt: Any, work: Any
+    centers: Any, normal: Any, p: int, child: int, polygon: Any, count: int, tilt: Any, work: Any
 ) -> float:  # fmt: skip
-    """The linear function that is nearest to the form factor to a polygon at the middles of a node's parts: its slope
-    over its mean.  Returns the largest deviation from it there and at the node's own middle."""
+    """Fit a linear function to the form factors from the middles of a node's four parts to a polygon.
+
+    By least squares.  p: the node's number; child: its first part's.  Writes the slope over the mean into tilt (3,).
+    Returns the largest deviation of the function from the form factors there and at the node's own middle.
+    work: (MOST_CORNERS, 3), is overwritten.
+    """
     values, at = np.empty(5), np.empty((5, 3))
     for c in range(5):
-        here = centers[p] if c == 4 else centers[child + c]
-        kept = clip(ring, count, normal, dot(normal, here), work)
-        values[c] = max(lambert(here, normal, work, kept), 0.0) if kept > 2 else 0.0
-        at[c] = here - centers[p]
+        point = centers[p] if c == 4 else centers[child + c]
+        left = clip(polygon, count, normal, dot(normal, point), work)
+        values[c] = max(lambert(point, normal, work, left), 0.0) if left > 2 else 0.0
+        at[c] = point - centers[p]
     mean = (values[0] + values[1] + values[2] + values[3]) / 4.0
     if mean <= 0.0:
         return float(values[4])
@@ -96,11 +108,15 @@ def _linear(
 
 @jit
 def links_at(
-    points: Any, ways: Any, node: Any, parent: Any, starts: Any, others: Any, rings: Any, counts: Any, normals: Any,
-    centers: Any, sizes: Any, least: Any,
+    points: Any, normals: Any, node: Any, parent: Any, starts: Any, others: Any, corners: Any, counts: Any,
+    node_normals: Any, centers: Any, sizes: Any, least: Any,
 ) -> Any:  # fmt: skip
-    """Form factors from points on leaves ``node`` to what is linked to these or to what they are part of, if more than
-    ``least``: numbers of points, nodes, factors."""
+    """Find the nodes that send light to points (m, 3) with unit normals (m, 3) on the leaves ``node`` (m,).
+
+    They are linked to the leaf or to a node that the leaf is part of: node p with others[starts[p] : starts[p + 1]].
+    Returns three arrays (f,): numbers of points, numbers of nodes, and the form factors between them, with nothing in
+    between.  Those below ``least`` (N,), a limit for each sending node, are left out.
+    """
     most = 0
     for v in range(len(points)):
         p = node[v]
@@ -108,7 +124,7 @@ def links_at(
             most += starts[p + 1] - starts[p]
             p = parent[p]
     rows, columns, factors = np.empty(most, np.int64), np.empty(most, np.int64), np.empty(most)
-    kept = 0
+    written = 0
     work = np.empty((MOST_CORNERS, 3))
     for v in range(len(points)):
         p = node[v]
@@ -117,9 +133,9 @@ def links_at(
                 q = others[k]
                 if too_far(points[v], centers[q], sizes[q], least[q]):
                     continue
-                value = at_point(points[v], ways[v], rings[q], counts[q], normals[q], work)
+                value = at_point(points[v], normals[v], corners[q], counts[q], node_normals[q], work)
                 if value > least[q]:
-                    rows[kept], columns[kept], factors[kept] = v, q, value
-                    kept += 1
+                    rows[written], columns[written], factors[written] = v, q, value
+                    written += 1
             p = parent[p]
-    return rows[:kept], columns[:kept], factors[:kept]
+    return rows[:written], columns[:written], factors[:written]

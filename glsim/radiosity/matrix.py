@@ -1,4 +1,4 @@
-"""The matrix S of a system in inner loops; S is float32, sums are float64."""
+"""The matrix S of a linear system in inner loops.  S is float32 to save memory, sums are float64."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from glsim.radiosity.compiled import jit, parallel, prange
 
 @parallel
 def product(S: Any, B: Any, out: Any) -> None:
-    """out = S B for B (n, 3)."""
+    """Write S B into out (n, 3), for S (n, n) and B (n, 3)."""
     n = len(S)
     for i in prange(n):
         r = g = b = 0.0
@@ -23,7 +23,11 @@ def product(S: Any, B: Any, out: Any) -> None:
 
 @jit
 def sweep(S: Any, area: Any, rho: Any, E: Any, B: Any, omega: float) -> None:
-    """B_i <- (1 - omega) B_i + omega (E_i + rho_i sum_j S_ij B_j / A_i), in order; B (n, 3) is changed."""
+    """Improve B (n, 3), in place, by one sweep of Gauss-Seidel with over-relaxation.
+
+    One patch after the other: B_i <- (1 - omega) B_i + omega (E_i + rho_i sum_j S_ij B_j / A_i).  S: (n, n); area:
+    (n,); rho, E: (n, 3).  (Cohen & Wallace 1993, section 5.3)
+    """
     n = len(area)
     for i in range(n):
         r = g = b = 0.0

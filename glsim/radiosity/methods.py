@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from glsim.radiosity.formfactors import FormFactors, by_pairs
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.progress import Progress, silent
+from glsim.radiosity.rays import Rays
 from glsim.radiosity.scene import SceneError
 from glsim.radiosity.textbook import disc_or_point, monte_carlo
 from glsim.radiosity.visibility import Visibility
@@ -51,15 +52,15 @@ def _analytic(patches: Patches, visibility: Visibility, settings: Settings) -> R
 
 
 def _point(patches: Patches, visibility: Visibility, settings: Settings) -> Result:
-    return Result(disc_or_point(patches, visibility, disc=False, progress=settings.progress))
+    return Result(disc_or_point(patches, visibility.rays, disc=False, progress=settings.progress))
 
 
 def _disc(patches: Patches, visibility: Visibility, settings: Settings) -> Result:
-    return Result(disc_or_point(patches, visibility, disc=True, progress=settings.progress))
+    return Result(disc_or_point(patches, visibility.rays, disc=True, progress=settings.progress))
 
 
 def _monte_carlo(patches: Patches, visibility: Visibility, settings: Settings) -> Result:
-    S, error = monte_carlo(patches, visibility, settings.samples, settings.seed, settings.progress)
+    S, error = monte_carlo(patches, visibility.rays, settings.samples, settings.seed, settings.progress)
     return Result(S, error=error)
 
 
@@ -93,14 +94,14 @@ METHODS = {
 
 
 def compute(
-    patches: Patches, method: str = "contour", *, exact: bool = False, threads: int | None = None,
+    patches: Patches, method: str = "contour", *, exact: bool = False, rays: Rays | None = None,
     progress: Progress | None = None, seed: int = 0, samples: int = 64, limit: int | None = None,
     checkpoint: str | None = None,
 ) -> FormFactors:  # fmt: skip
     """Find the form factors of all pairs of patches, as a matrix.
 
     method: a name in MATRICES.  exact: contour integrals for all pairs, not only near ones.  samples, seed: of
-    "monte-carlo".  threads: for rays; the result does not depend on it.  limit: bytes that the matrix may take, by
+    "monte-carlo".  rays: of the patches' scene, by default new ones.  limit: bytes that the matrix may take, by
     default half of the machine's memory.  checkpoint: a file in which finished rows are kept when the work is
     interrupted, and from which they are taken if it is there.  Raises SceneError for another method, or if the matrix
     would not fit.
@@ -115,7 +116,7 @@ def compute(
             f" {allowed / 2**30:.1f} GiB: take fewer patches (--patches), links (--method hierarchical) or a"
             " cluster (--scheduler)"
         )
-    visibility = Visibility(patches.scene, threads)
+    visibility = Visibility(rays or Rays(patches.scene))
     settings = Settings(exact, samples, seed, progress or silent, checkpoint)
     start = time.perf_counter()
     S, seconds, error = MATRICES[method].function(patches, visibility, settings)

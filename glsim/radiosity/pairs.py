@@ -1,13 +1,14 @@
-"""Form factors between polygons without anything in between, compiled by numba.
+"""Form factors between two polygons with nothing in between, in inner loops.
 
-S = A_1 F_12 = A_2 F_21 is the double area integral of cos(theta_1) cos(theta_2) / (pi r^2).  Three ways, by distance:
+S = A_1 F_12 = A_2 F_21 is the double area integral of cos(theta_1) cos(theta_2) / (pi r^2).  The distance decides
+how it is found:
 
     far      Lambert's formula from one point of the smaller polygon to the other, exact over that other polygon
     middle   the same from four points
     near     Stokes' theorem twice: S = 1/(2 pi) sum over pairs of edges of (d_1 . d_2) integral integral ln r ds dt,
-             the inner integral exact on the longer edge, the outer one by quadrature that bears ln r's singularity
+             see contour.py
 
-Before, each polygon is clipped by the plane of the other, so that no part behind it counts.
+Before that, each polygon is clipped by the plane of the other, so that no part behind it counts.
 Sources: Cohen & Wallace, Radiosity and Realistic Image Synthesis (1993), chapter 4; Sparrow (1963) for the contours.
 """
 
@@ -27,7 +28,10 @@ G = 0.5 / np.sqrt(3.0)  # Gauss' points of a square: 1/2 +- G
 
 @jit
 def _by_points(one: Any, n_1: int, normal: Any, two: Any, n_2: int, several: bool) -> float:
-    """A_1 times the mean of Lambert's formula over one or several points of polygon ``one``."""
+    """Return the area of polygon ``one`` times the mean over its points of Lambert's formula for polygon ``two``.
+
+    normal: (3,) of ``one``.  several: take Gauss' points (2 x 2 of a quad, 3 of each triangle) instead of the middle.
+    """
     p = np.empty(3)
     if several and n_1 == 4:
         total = 0.0
@@ -64,35 +68,36 @@ def _by_points(one: Any, n_1: int, normal: Any, two: Any, n_2: int, several: boo
 
 @jit
 def pair(
-    ring_1: Any, count_1: int, n_1: Any, ring_2: Any, count_2: int, n_2: Any, center_1: Any, center_2: Any,
+    polygon_1: Any, count_1: int, n_1: Any, polygon_2: Any, count_2: int, n_2: Any, center_1: Any, center_2: Any,
     size_1: float, size_2: float, exact: bool, clipped_1: Any, clipped_2: Any,
 ) -> float:  # fmt: skip
-    """S = A_1 F_12 of two polygons, nothing in between.  size: diameters.  exact: always by contours.
+    """Return S = A_1 F_12 of two polygons (k, 3) with count_1 and count_2 corners; 0 if they show each other no front.
 
-    clipped_1, clipped_2: (MOST_CORNERS, 3), where to work.
+    n: unit normals (3,); center: (3,); size: diameters.  exact: by contours at any distance.  clipped_1, clipped_2:
+    (MOST_CORNERS, 3), are overwritten.
     """
     larger = max(size_1, size_2)
-    at_1, at_2 = dot(n_1, ring_1[0]), dot(n_2, ring_2[0])
+    at_1, at_2 = dot(n_1, polygon_1[0]), dot(n_2, polygon_2[0])
     eps = 1e-9 * larger
     behind_1 = behind_2 = front_1 = front_2 = False
     for k in range(count_2):
-        d = dot(n_1, ring_2[k]) - at_1
+        d = dot(n_1, polygon_2[k]) - at_1
         front_2 |= d > eps
         behind_2 |= d < -eps
     if not front_2:
         return 0.0
     for k in range(count_1):
-        d = dot(n_2, ring_1[k]) - at_2
+        d = dot(n_2, polygon_1[k]) - at_2
         front_1 |= d > eps
         behind_1 |= d < -eps
     if not front_1:
         return 0.0
-    one, two = ring_1, ring_2
+    one, two = polygon_1, polygon_2
     if behind_2:
-        count_2 = clip(ring_2, count_2, n_1, at_1, clipped_2)
+        count_2 = clip(polygon_2, count_2, n_1, at_1, clipped_2)
         two = clipped_2
     if behind_1:
-        count_1 = clip(ring_1, count_1, n_2, at_2, clipped_1)
+        count_1 = clip(polygon_1, count_1, n_2, at_2, clipped_1)
         one = clipped_1
     if count_1 < 3 or count_2 < 3:
         return 0.0
@@ -110,30 +115,35 @@ def pair(
 
 @parallel
 def rows(
-    rings: Any, counts: Any, normals: Any, centers: Any, sizes: Any, first: int, last: int, exact: bool, out: Any
+    corners: Any, counts: Any, normals: Any, centers: Any, sizes: Any, first: int, last: int, exact: bool, out: Any
 ) -> None:
-    """S of patches first..last with all patches of higher number: out (last - first, n)."""
-    n = len(rings)
+    """Write S of patches ``first`` up to ``last`` with all patches of higher number into out (last - first, n).
+
+    corners: (n, 4, 3); counts, sizes (diameters): (n,); normals, centers: (n, 3).  exact: see ``pair``.
+    """
+    n = len(corners)
     for r in prange(last - first):
         i = first + r
         clipped_1, clipped_2 = np.empty((MOST_CORNERS, 3)), np.empty((MOST_CORNERS, 3))
         for j in range(i + 1, n):
             out[r, j] = pair(
-                rings[i], counts[i], normals[i], rings[j], counts[j], normals[j], centers[i], centers[j], sizes[i],
+                corners[i], counts[i], normals[i], corners[j], counts[j], normals[j], centers[i], centers[j], sizes[i],
                 sizes[j], exact, clipped_1, clipped_2,
             )  # fmt: skip
 
 
 @parallel
-def point_factors(points: Any, ways: Any, rings: Any, counts: Any, normals: Any, centers: Any, sizes: Any, least: Any,
-           out: Any) -> None:  # fmt: skip
-    """Form factors from k points with normals ``ways`` to all n patches: out (k, n).
+def point_factors(
+    points: Any, normals: Any, corners: Any, counts: Any, patch_normals: Any, centers: Any, sizes: Any, least: Any,
+    out: Any,
+) -> None:  # fmt: skip
+    """Write the form factors from points (k, 3) with unit normals (k, 3) to all n patches into out (k, n).
 
-    Those below ``least`` (n,) are left at 0.
+    Those below ``least`` (n,) stay 0.  The patches as in ``rows``.
     """
     for r in prange(len(points)):
         work = np.empty((MOST_CORNERS, 3))
-        for j in range(len(rings)):
+        for j in range(len(corners)):
             if not too_far(points[r], centers[j], sizes[j], least[j]):
-                value = at_point(points[r], ways[r], rings[j], counts[j], normals[j], work)
+                value = at_point(points[r], normals[r], corners[j], counts[j], patch_normals[j], work)
                 out[r, j] = value if value > least[j] else 0.0

@@ -1,144 +1,88 @@
-"""Rays in inner loops: between points of two patches, from points to patches, and what they see."""
+"""Rays through a scene: all that a whole solution sends, with one pool of threads and one Embree tree for each purpose.
+
+Hidden-patch removal, form factors and the final gather share one object, Rays.  Embree calculates in single precision,
+so all coordinates are counted from the middle of the scene, wherever the scene is.
+"""
 
 from __future__ import annotations
 
+import os
+import threading
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from glsim.radiosity.compiled import jit
+from glsim.radiosity.bodies import GAP
+from glsim.radiosity.scene import Scene
+
+Float = NDArray[np.float64]
+Single = NDArray[np.float32]
+Int = NDArray[np.int64]
 
 
-@jit
-def rays_between(
-    rings: Any, counts: Any, normals: Any, pairs: Any, table: Any, gap: float, first: int, count: int, origins: Any,
-    ways: Any, weights: Any,
-) -> None:  # fmt: skip
-    """Rays first .. first + count of each pair: origins, ways (count per pair, 3) float32, and weights.
+class Rays:
+    """The triangles of a scene, and the threads in which rays are sent against them.
 
-    table: where each ray begins and ends, (rays, 4) in [0, 1), shifted for each pair; gap: how far in front of the
-    patches both ends are, so that the ray does not meet the patches themselves.
+    middle: (3,), the origin of all rays' coordinates; gap: how far in front of polygons rays begin and end, in the
+    scene's unit; owner: (m,), the polygon of each triangle; pool: as many threads as were asked for, by default one for
+    each processor.
     """
-    e, shift = np.empty((2, 4, 3)), np.empty(4)
-    for row in range(len(pairs)):
-        i, j = pairs[row, 0], pairs[row, 1]
-        seed = np.uint64(i) * np.uint64(0x9E3779B97F4A7C15) + np.uint64(j) * np.uint64(0xC2B2AE3D27D4EB4F)
-        for k in range(4):  # splitmix64
-            seed = seed + np.uint64(0x9E3779B97F4A7C15)
-            z = seed
-            z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
-            z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
-            z = z ^ (z >> np.uint64(31))
-            shift[k] = float(z >> np.uint64(11)) / 9007199254740992.0
-        o_0, o_u, o_v = _edges(rings[i], counts[i], normals[i], e[0])
-        t_0, t_x, t_y = _edges(rings[j], counts[j], normals[j], e[1])
-        one, two = counts[i] == 3, counts[j] == 3
-        (ax, ay, az), (bx, by, bz), (cx, cy, cz), (dx, dy, dz) = e[0]
-        (fx, fy, fz), (gx, gy, gz), (hx, hy, hz), (kx, ky, kz) = e[1]
-        (mx, my, mz), (nx, ny, nz) = normals[i], normals[j]
-        fx, fy, fz = fx - ax, fy - ay, fz - az
-        for s in range(count):  # written out: this is where the time goes
-            u, v = table[first + s, 0] + shift[0], table[first + s, 1] + shift[1]
-            x, y = table[first + s, 2] + shift[2], table[first + s, 3] + shift[3]
-            u, v = u - (u >= 1.0), v - (v >= 1.0)
-            x, y = x - (x >= 1.0), y - (y >= 1.0)
-            if one and u + v > 1.0:
-                u, v = 1.0 - u, 1.0 - v
-            if two and x + y > 1.0:
-                x, y = 1.0 - x, 1.0 - y
-            uv, xy = u * v, x * y
-            px, py, pz = u * bx + v * cx + uv * dx, u * by + v * cy + uv * dy, u * bz + v * cz + uv * dz
-            wx = fx + x * gx + y * hx + xy * kx - px
-            wy = fy + x * gy + y * hy + xy * ky - py
-            wz = fz + x * gz + y * hz + xy * kz - pz
-            squared = wx * wx + wy * wy + wz * wz
-            c_1, c_2 = wx * mx + wy * my + wz * mz, -(wx * nx + wy * ny + wz * nz)
-            at = row * count + s
-            origins[at, 0] = ax + px + gap * mx
-            origins[at, 1] = ay + py + gap * my
-            origins[at, 2] = az + pz + gap * mz
-            ways[at, 0] = wx + gap * (nx - mx)
-            ways[at, 1] = wy + gap * (ny - my)
-            ways[at, 2] = wz + gap * (nz - mz)
-            density = (o_0 + u * o_u + v * o_v) * (t_0 + x * t_x + y * t_y)
-            weights[at] = density * c_1 * c_2 / (squared * squared) if c_1 > 0.0 and c_2 > 0.0 else 0.0
+
+    def __init__(self, scene: Scene, threads: int | None = None) -> None:
+        self.scene = scene
+        triangles = scene.triangles()
+        self.middle = (triangles.min(axis=(0, 1)) + triangles.max(axis=(0, 1))) / 2.0
+        self.gap = GAP * scene.size
+        self.owner = np.repeat(np.arange(len(scene.polygons)), [len(polygon) - 2 for polygon in scene.polygons])
+        self.pool = ThreadPoolExecutor(threads or os.cpu_count() or 1)
+        self.trees = {0.0: _tree(triangles - self.middle)}
+        self.local = threading.local()
+
+    def blocked(self, origins: Single, directions: Single) -> NDArray[np.bool_]:
+        """Whether each ray meets a triangle: (n,).
+
+        origins: (n, 3), from the middle; directions: (n, 3), as long as the rays.
+        """
+        lengths = self._lengths(len(origins))
+        hit = self.trees[0.0].run(origins, directions, dists=lengths, query="OCCLUDED")
+        return np.asarray(hit >= 0)
+
+    def between(self, starts: Float, ends: Float) -> NDArray[np.bool_]:
+        """Whether points (n, 3) see the points ``ends`` (n, 3), both in the scene's coordinates: (n,)."""
+        direction = ends - starts
+        off = np.minimum(self.gap / np.maximum(np.linalg.norm(direction, axis=1), 1e-300), 0.5)[:, None]
+        origins = (starts - self.middle + off * direction).astype(np.float32)
+        return ~self.blocked(origins, ((1.0 - 2.0 * off) * direction).astype(np.float32))
+
+    def nearest(self, origins: Single, directions: Float, shift: float) -> Int:
+        """Return the number of the polygon that each endless ray meets first, (n,), or -1.
+
+        origins: (n, 3), from the middle; directions: (n, 3); shift: how far all polygons are moved along their normals
+        before that, as a part of the scene's size.
+        """
+        if shift not in self.trees:
+            moved = self.scene.triangles() + shift * self.scene.size * self.scene.normals[self.owner, None]
+            self.trees[shift] = _tree(moved - self.middle)
+        triangle = self.trees[shift].run(origins, np.ascontiguousarray(directions, np.float32))
+        return np.where(triangle >= 0, self.owner[np.maximum(triangle, 0)], -1)
+
+    def _lengths(self, count: int) -> Single:
+        """Return ones (count,): how far rays go along their directions.  Each thread reuses its own array."""
+        lengths = getattr(self.local, "lengths", None)
+        if lengths is None or len(lengths) < count:
+            lengths = self.local.lengths = np.empty(count, np.float32)
+        lengths[:count] = 1.0
+        return np.asarray(lengths[:count])
 
 
-@jit
-def rays_from_points(
-    points: Any, normals: Any, rows: Any, rings: Any, counts: Any, facing: Any, columns: Any, gap: float, first: int,
-    count: int, origins: Any, ways: Any, weights: Any,
-) -> None:  # fmt: skip
-    """Rays from points to low-discrepancy points of patches (the two-dimensional sequence)."""
-    q, e = np.empty(3), np.empty((4, 3))
-    for row in range(len(rows)):
-        v, j = rows[row], columns[row]
-        t_0, t_x, t_y = _edges(rings[j], counts[j], facing[j], e)
-        for s in range(count):
-            x, y = 0.5 + (first + s) * 0.7548776662466927, 0.5 + (first + s) * 0.5698402909980532
-            x, y = x - np.floor(x), y - np.floor(y)
-            _point(rings[j], counts[j], x, y, q)
-            squared = c_1 = c_2 = 0.0
-            at = row * count + s
-            for k in range(3):
-                way = q[k] - points[v, k]
-                squared += way * way
-                c_1 += way * normals[v, k]
-                c_2 -= way * facing[j, k]
-            for k in range(3):
-                origins[at, k] = points[v, k] + gap * normals[v, k]
-                ways[at, k] = q[k] - points[v, k] + gap * (facing[j, k] - normals[v, k])
-            density = t_0 + x * t_x + y * t_y
-            weights[at] = density * max(c_1, 0.0) * max(c_2, 0.0) / (squared * squared) if squared > 0.0 else 0.0
+def _tree(triangles: Float) -> Any:
+    """Build Embree's tree of triangles (m, 3, 3), ready for threads."""
+    from embreex.mesh_construction import TriangleMesh
+    from embreex.rtcore_scene import EmbreeScene
 
-
-@jit
-def _edges(ring: Any, count: int, n: Any, e: Any) -> tuple[float, float, float]:
-    """A patch as e_0 + u e_1 + v e_2 + u v e_3; a, b, c of its area for each unit of u and v, a + b u + c v."""
-    for k in range(3):
-        e[0, k], e[1, k] = ring[0, k], ring[1, k] - ring[0, k]
-        if count == 3:
-            e[2, k], e[3, k] = ring[2, k] - ring[0, k], 0.0
-        else:
-            e[2, k] = ring[3, k] - ring[0, k]
-            e[3, k] = ring[2, k] - ring[1, k] - e[2, k]
-    return _triple(n, e[1], e[2]), _triple(n, e[1], e[3]), _triple(n, e[3], e[2])
-
-
-@jit
-def _triple(n: Any, a: Any, b: Any) -> float:
-    """n . (a x b)"""
-    return float(
-        n[0] * (a[1] * b[2] - a[2] * b[1]) + n[1] * (a[2] * b[0] - a[0] * b[2]) + n[2] * (a[0] * b[1] - a[1] * b[0])
-    )
-
-
-@jit
-def _point(ring: Any, count: int, u: float, v: float, out: Any) -> None:
-    """A point of a quad (bilinear) or of a triangle (folded)."""
-    if count == 3:
-        if u + v > 1.0:
-            u, v = 1.0 - u, 1.0 - v
-        for k in range(3):
-            out[k] = ring[0, k] + u * (ring[1, k] - ring[0, k]) + v * (ring[2, k] - ring[0, k])
-    else:
-        for k in range(3):
-            a = ring[0, k] + u * (ring[1, k] - ring[0, k])
-            b = ring[3, k] + u * (ring[2, k] - ring[3, k])
-            out[k] = a + v * (b - a)
-
-
-@jit
-def add_seen(weights: Any, hit: Any, count: int, group: int, decided: bool, seen: Any, total: Any) -> None:
-    """Adds the weights of ``count`` rays for each pair, and of those that nothing is hit by; with ``decided`` only of
-    those groups of ``group`` rays that disagree."""
-    for row in range(len(seen)):
-        for first in range(row * count, (row + 1) * count, group):
-            free = whole = 0.0
-            for ray in range(first, first + group):
-                whole += weights[ray]
-                if hit[ray] < 0:
-                    free += weights[ray]
-            if not decided or 0.0 < free < whole:
-                seen[row] += free
-                total[row] += whole
+    tree = EmbreeScene()
+    TriangleMesh(tree, np.ascontiguousarray(triangles, np.float32))
+    tree.run(np.zeros((1, 3), np.float32), np.ones((1, 3), np.float32))  # the first ray builds it
+    return tree

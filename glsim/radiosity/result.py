@@ -1,4 +1,4 @@
-"""Solving a scene from beginning to end, and what one does with the result."""
+"""What a solution is good for: numbers, pictures, files."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Radiosity:
     # ------------------------------------------------------------ numbers
 
     def report(self) -> dict[str, Any]:
-        """What a teacher asks: how many patches, how good, how long."""
+        """Return what a teacher asks: how many patches, how good, how long, as values for JSON."""
         sums = self.factors.row_sums
         error = np.abs(sums - 1.0)
         last = self.steps[-1]
@@ -78,7 +78,7 @@ class Radiosity:
         draw_colors(self.mesh, self.colors() if colors is None else colors)
 
     def colors(self, B: Float | None = None) -> Float:
-        """Colours for the screen, (V, 3) in [0, 1], of the vertices' radiosity or of another one."""
+        """Return colours for the screen, (V, 3) in [0, 1], of the vertices' radiosity or of another, B (V, 3)."""
         shown = self.vertex_radiosity if B is None else B
         return toned(shown, self.shown_white, self.tone, self.gamma)
 
@@ -90,18 +90,21 @@ class Radiosity:
     def picture(
         self, size: int = 512, view: int | View = 0, *, colors: Float | None = None, samples: int = 4
     ) -> Image.Image:
-        """The scene from one of its cameras.  colors: of the vertices (V, 3), instead of the radiosity."""
+        """Draw the scene from one of its cameras, ``size`` pixels wide and high.
+
+        colors: (V, 3) of the vertices, instead of those of the radiosity.
+        """
         from glsim.radiosity.view import picture_of
 
         shown = self.colors() if colors is None else colors
         return picture_of(self.mesh, shown, self.patches.scene, self.view(view), size, samples)
 
     def direct(self) -> Float:
-        """Radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
+        """Return the radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
         return radiosity_at(self.factors, self.mesh.at, self.mesh.normals, self.mesh.patch, self.patches.E)
 
     def beside_direct(self, size: int = 512, view: int | View = 0) -> Image.Image:
-        """Direct illumination and radiosity from the same camera, side by side, with the same white."""
+        """Draw direct illumination and radiosity from the same camera, side by side, with the same white."""
         from glsim.pictures import tiles
 
         both = (("direct illumination", self.direct()), ("radiosity", self.vertex_radiosity))
@@ -109,19 +112,21 @@ class Radiosity:
         return tiles(self.patches.scene.name, [row], size)
 
     def view(self, which: int | View) -> View:
-        """A camera of the scene by its number.  Raises SceneError for one that is not there."""
+        """Return a camera of the scene by its number.  Raises SceneError for one that is not there."""
         if isinstance(which, View):
             return which
-        views = self.patches.scene.views or (view_of(np.concatenate(self.patches.scene.rings)),)
+        views = self.patches.scene.views or (view_of(np.concatenate(self.patches.scene.polygons)),)
         if not 0 <= which < len(views):
             many = "1 view" if len(views) == 1 else f"{len(views)} views"
             raise SceneError(f"{self.patches.scene.name} has {many}, numbered from 0; there is no {which}")
         return views[which]
 
     def row_picture(self, patch: int, size: int = 512, view: int | View = 0) -> Image.Image:
-        """Row ``patch`` of the form factors as colours on the scene: where light that leaves it arrives, for each
-        unit of area.  The patch itself is orange; white are the brightest 5 % of the vertices.  Raises SceneError if
-        there is no such patch."""
+        """Draw row ``patch`` of the form factors on the scene: how much of its light arrives, per unit of area.
+
+        The patch itself is orange; the brightest 5 % of the vertices are white.  Raises SceneError if there is no such
+        patch.
+        """
         if not 0 <= patch < len(self.patches):
             raise SceneError(f"patches are numbered from 0 to {len(self.patches) - 1}; there is no {patch}")
         row = self.factors.row(patch) / self.patches.area
@@ -138,13 +143,13 @@ class Radiosity:
         return self.picture(size, view, colors=shown)
 
     def convergence_picture(self) -> Image.Image:
-        """The residual over the iterations."""
+        """Draw the residual over the iterations."""
         from glsim.radiosity.plots import convergence
 
         return convergence({self.solver: self.steps})
 
     def matrix_picture(self, size: int = 640) -> Image.Image:
-        """The matrix of form factors, logarithmic.  Raises SceneError if there is none (hierarchical)."""
+        """Draw the matrix of form factors, logarithmically.  Raises SceneError if there is none (hierarchical)."""
         from glsim.radiosity.plots import matrix
 
         if self.factors.matrix is None:
@@ -160,7 +165,7 @@ class Radiosity:
         return self.picture()._repr_png_()
 
     def _repr_html_(self) -> str:
-        """The picture, and the report as a table."""
+        """Return HTML for a notebook: the picture, and the report as a table."""
         shown = b64encode(self._repr_png_() or b"").decode()
         lines = [(escape(name), escape(text)) for name, text in summary(self.report())]
         rows = "".join(f"<tr><td>{name}</td><td>{text}</td></tr>" for name, text in lines)
@@ -189,8 +194,11 @@ class Radiosity:
             write_atomically(path, lambda name: image.save(name))
 
     def arrays(self) -> dict[str, Any]:
-        """triangles (m, 3, 3), triangle_patch (m,); B, E, rho, normal (n, 3), area (n,) of the patches; vertices and
-        vertex_B (V, 3), vertex_triangles (m, 3)."""
+        """Return what an .npz holds.
+
+        triangles (m, 3, 3), triangle_patch (m,); B, E, rho, normal (n, 3), area (n,) of the patches; vertices and
+        vertex_B (V, 3), vertex_triangles (m, 3).
+        """
         p, mesh = self.patches, self.mesh
         return {
             "triangles": mesh.vertices[mesh.triangles], "triangle_patch": mesh.triangle_patch, "B": self.B, "E": p.E,
@@ -199,6 +207,7 @@ class Radiosity:
         }  # fmt: skip
 
     def _exported(self, kind: str) -> bytes:
+        """Return a .glb or .ply (``kind``) with vertex colours."""
         import trimesh
 
         colors = np.round(self.colors() * 255.0).astype(np.uint8)
@@ -210,7 +219,7 @@ class Radiosity:
 
 
 def _noticed(patches: Patches, sums: Float, leak: float) -> list[str]:
-    """What the rows tell of the scene."""
+    """Return notes on what the sums of rows (n,) and the share of light that escapes tell of the scene."""
     lamps = patches.E.max(axis=1) > 0.0
     if sums.max() < BLIND:
         return ["no patch sees another, so nothing is lit: a room whose normals are inverted? --flip turns them"]
@@ -225,7 +234,7 @@ def _noticed(patches: Patches, sums: Float, leak: float) -> list[str]:
 
 
 def summary(report: dict[str, Any]) -> list[tuple[str, str]]:
-    """A report as names and sentences."""
+    """Return a report as names and sentences."""
     mean, most, leak = (100.0 * report[name] for name in ("row_sum_error_mean", "row_sum_error_max", "leak"))
     sums = f"rows sum to 1 within {mean:.4f} % in the mean, {most:.2f} % at most; {max(leak, 0.0):.3f} % escapes"
     solved = f"{report['iterations']} iterations, residual {report['residual']:.2g}"

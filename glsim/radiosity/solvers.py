@@ -1,4 +1,4 @@
-"""The linear system (I - R F) B = E, solved in the ways of the lecture: each a generator that yields every step.
+"""The linear system (I - R F) B = E, solved by textbook methods: each is a generator that yields every step.
 
 B_i = E_i + rho_i sum_j F_ij B_j for each channel.  Gathering (Jacobi, Gauss-Seidel) lets each patch collect what the
 others send; shooting lets the patch with most to give send it.  Sources: Cohen & Wallace (1993), chapter 5.
@@ -33,7 +33,10 @@ class Step(NamedTuple):
 
 @dataclass(frozen=True)
 class System:
-    """times: S B for B (n, 3); area: (n,); rho, E: (n, 3); S: (n, n) symmetric, if there is a matrix."""
+    """The equations of n patches in three channels.
+
+    times: returns S B for B (n, 3); area: (n,); rho, E: (n, 3); S: (n, n) symmetric, if there is a matrix.
+    """
 
     times: Callable[[Float], Float]
     area: Float
@@ -43,11 +46,12 @@ class System:
 
     @staticmethod
     def of(factors: Factors) -> System:
+        """Return the system of patches with these form factors."""
         patches = factors.patches
         return System(factors.times, patches.area, patches.rho, patches.E, factors.matrix)
 
     def gathered(self, B: Float) -> Float:
-        """Irradiance: sum_j F_ij B_j for each patch, (n, 3)."""
+        """Return the irradiance sum_j F_ij B_j of each patch, (n, 3)."""
         return self.times(B) / self.area[:, None]
 
     @property
@@ -58,12 +62,13 @@ class System:
         return self.S
 
     def matrix(self, channel: int) -> Float:
-        """I - R F for one channel, (n, n) float64."""
+        """Return I - R F for one channel, (n, n) float64."""
         result = -(self.rho[:, channel] / self.area)[:, None] * self.rows.astype(np.float64)
         result[np.diag_indices(len(result))] += 1.0
         return np.asarray(result)
 
     def step(self, iteration: int, B: Float, arriving: Float | None = None) -> Step:
+        """Return the Step for radiosities B (n, 3); arriving: their irradiance (n, 3), if it is known already."""
         H = self.gathered(B) if arriving is None else arriving
         residual = self.E + self.rho * H - B
         norms = np.linalg.norm(residual, axis=0) / np.maximum(np.linalg.norm(self.E, axis=0), 1e-300)
@@ -74,7 +79,7 @@ class System:
 
 
 def lu(system: System) -> Iterator[Step]:
-    """Direct: LU factorisation of each channel's matrix."""
+    """Solve directly, by LU factorisation of each channel's matrix: one step."""
     from scipy.linalg import lu_factor, lu_solve
 
     B = np.empty_like(system.E)
@@ -84,11 +89,12 @@ def lu(system: System) -> Iterator[Step]:
 
 
 def _exact(system: System, B: Float) -> Float:
+    """Return the irradiance (n, 3), calculated in float64 throughout."""
     return np.asarray(system.rows.astype(np.float64) @ B / system.area[:, None])
 
 
 def jacobi(system: System) -> Iterator[Step]:
-    """Gathering: all patches at once.  Iteration k is the light after k bounces."""
+    """Gather with all patches at once.  Iteration k is the light after k bounces."""
     B = system.E.copy()
     iteration = 0
     while True:
@@ -99,7 +105,7 @@ def jacobi(system: System) -> Iterator[Step]:
 
 
 def gauss_seidel(system: System, omega: float = 1.0) -> Iterator[Step]:
-    """Gathering one patch after the other, with what the others have already gathered; omega: over-relaxation."""
+    """Gather with one patch after the other, from what the others have already gathered; omega: over-relaxation."""
     if not 0.0 < omega < 2.0:
         raise SceneError(f"over-relaxation converges for omega between 0 and 2, not {omega}")
     B = system.E.copy()
@@ -112,13 +118,15 @@ def gauss_seidel(system: System, omega: float = 1.0) -> Iterator[Step]:
 
 
 def sor(system: System) -> Iterator[Step]:
-    """Successive over-relaxation with omega = 1.15."""
+    """Gather with successive over-relaxation, omega = 1.15."""
     return gauss_seidel(system, 1.15)
 
 
 def conjugate_gradients(system: System) -> Iterator[Step]:
-    """On the symmetric form (A / rho - S) B = A E / rho, preconditioned by the diagonal, the three channels side by
-    side; patches that reflect nothing have B = E and stay out."""
+    """Solve by conjugate gradients, preconditioned by the diagonal, the three channels side by side.
+
+    They need a symmetric system: (A / rho - S) B = A E / rho.  Patches that reflect nothing have B = E and stay out.
+    """
     free = system.rho > 0.0
     diagonal = np.where(free, system.area[:, None] / np.where(free, system.rho, 1.0), 1.0)
     B = system.E.copy()
@@ -142,8 +150,11 @@ def conjugate_gradients(system: System) -> Iterator[Step]:
 
 
 def shooting(system: System, ambient: bool = False, many: int | None = None) -> Iterator[Step]:
-    """Progressive refinement (Cohen et al. 1988): the patch with most unshot power shoots.  A step is ``many`` shots
-    (default: a twentieth of the patches).  ambient: B with the estimate of what is still to come, for display."""
+    """Shoot: the patch with most unshot power sends it to all others (progressive refinement, Cohen et al. 1988).
+
+    A step is ``many`` shots, by default a twentieth of the patches.  ambient: add to B an estimate of what is still to
+    come, for display.
+    """
     B, unshot = system.E.copy(), system.E.copy()
     n = len(B)
     shots = many or max(1, n // 20)
@@ -176,7 +187,7 @@ def solved(
     factors: Factors, solver: str = "gauss-seidel", *, tolerance: float = 1e-6, most: int = 1000,
     progress: Callable[[Step], object] | None = None,
 ) -> list[Step]:  # fmt: skip
-    """All steps up to the one whose residual is at most ``tolerance``; only the last keeps its own B.
+    """Return all steps up to the one whose residual is at most ``tolerance``; only the last keeps its own B.
 
     Raises SceneError for an unknown solver, and if ``most`` steps are not enough.
     """

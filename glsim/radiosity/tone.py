@@ -16,7 +16,10 @@ GAMMA = 2.2
 
 
 def automatic_white(patches: Patches, B: Float) -> float:
-    """The radiosity that becomes white: a little more than what 95 % of the lit area has, lamps aside."""
+    """Choose the radiosity that becomes white, from the radiosity B (n, 3) of the patches.
+
+    It is a tenth more than what 95 % of the area has at most, lamps aside.
+    """
     dark = patches.E.max(axis=1) == 0.0
     chosen = dark if dark.any() else np.ones(len(B), bool)
     values, areas = B[chosen].max(axis=1), patches.area[chosen]
@@ -27,7 +30,10 @@ def automatic_white(patches: Patches, B: Float) -> float:
 
 
 def toned(B: Float, white: float, tone: str = "linear", gamma: float = GAMMA) -> Float:
-    """Colours in [0, 1] for the screen: tone mapping, then the power 1 / gamma."""
+    """Turn radiosity of any shape into colours in [0, 1]: tone mapping, then the power 1 / gamma.
+
+    white: the radiosity that becomes 1; tone: a name of TONES.  Raises ValueError for another name.
+    """
     if tone not in TONES:
         raise ValueError(f"tones are {', '.join(TONES)}, not {tone!r}")
     L = np.maximum(B, 0.0) / white

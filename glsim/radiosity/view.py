@@ -62,7 +62,10 @@ def draw_colors(mesh: Mesh, colors: Float) -> None:
 
 
 def draw_point_lights(result: Radiosity, view: View, white: float) -> None:
-    """Draw with GL_LIGHTING and clear before: rho is the material, E / white the lamps' light."""
+    """Clear, and draw a solution's scene with GL_LIGHTING from a camera.
+
+    rho is the diffuse material, E / white the light of the lamps, see pointlights.lamps_of.
+    """
     scene, mesh, p = result.patches.scene, result.mesh, result.patches
     look(view, scene)
     gl.glEnable(gl.GL_DEPTH_TEST)
@@ -83,23 +86,24 @@ def draw_point_lights(result: Radiosity, view: View, white: float) -> None:
 
 
 def _switch_on(light: int, lamp: PointLamp, white: float, size: float) -> None:
+    """Set and enable GL_LIGHTi for a lamp; size: of the scene."""
     gl.glEnable(light)
     gl.glLightfv(light, gl.GL_DIFFUSE, [*(lamp.E / white), 1.0])
     gl.glLightfv(light, gl.GL_SPECULAR, [0.0, 0.0, 0.0, 1.0])
     gl.glLightf(light, gl.GL_CONSTANT_ATTENUATION, 1.0)
-    if lamp.way is None:  # a closed body sends E A / (4 pi r^2) everywhere
+    if lamp.direction is None:  # a closed body sends E A / (4 pi r^2) everywhere
         gl.glLightfv(light, gl.GL_POSITION, [*lamp.at, 1.0])
         gl.glLightf(light, gl.GL_QUADRATIC_ATTENUATION, 4.0 * np.pi / lamp.area)
     else:
-        gl.glLightfv(light, gl.GL_POSITION, [*(lamp.at + 1e-4 * size * lamp.way), 1.0])
+        gl.glLightfv(light, gl.GL_POSITION, [*(lamp.at + 1e-4 * size * lamp.direction), 1.0])
         gl.glLightf(light, gl.GL_QUADRATIC_ATTENUATION, np.pi / lamp.area)
-        gl.glLightfv(light, gl.GL_SPOT_DIRECTION, lamp.way)
+        gl.glLightfv(light, gl.GL_SPOT_DIRECTION, lamp.direction)
         gl.glLightf(light, gl.GL_SPOT_CUTOFF, 90.0)
         gl.glLightf(light, gl.GL_SPOT_EXPONENT, 1.0)
 
 
 def _draw_triangles(corners: Float, normals: Float, colors: Float) -> None:
-    """Triangles (m, 3, 3) with normals at their corners and one colour (m, 3) each."""
+    """Draw triangles (m, 3, 3) with normals (m, 3, 3) at their corners and one colour (m, 3) each."""
     arrays = (gl.GL_VERTEX_ARRAY, gl.GL_NORMAL_ARRAY, gl.GL_COLOR_ARRAY)
     for array in arrays:
         gl.glEnableClientState(array)

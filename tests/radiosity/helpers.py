@@ -20,32 +20,31 @@ CASES = json.loads((REFERENCE / "analytic_cases.json").read_text())
 
 def form_factor(one: Any, two: Any, exact: bool = True) -> float:
     """F from polygon one to polygon two."""
-    rings = [np.array(ring, float) for ring in (one, two)]
-    normals = [normal_of(ring) for ring in rings]
-    centers = [ring.mean(axis=0) for ring in rings]
+    polygons = [np.array(polygon, float) for polygon in (one, two)]
+    normals = [normal_of(polygon) for polygon in polygons]
+    centers = [polygon.mean(axis=0) for polygon in polygons]
     sizes = [
-        2 * float(np.linalg.norm(ring - center, axis=1).max()) for ring, center in zip(rings, centers, strict=True)
+        2 * float(np.linalg.norm(polygon - center, axis=1).max())
+        for polygon, center in zip(polygons, centers, strict=True)
     ]
     work = np.empty((6, 3)), np.empty((6, 3))
-    S = pair(
-        rings[0], len(rings[0]), normals[0], rings[1], len(rings[1]), normals[1], centers[0], centers[1], sizes[0],
-        sizes[1], exact, *work,
-    )  # fmt: skip
-    return S / area(rings[0], len(rings[0]))
+    first, second = ((polygon, len(polygon), normal) for polygon, normal in zip(polygons, normals, strict=True))
+    S = pair(*first, *second, *centers, *sizes, exact, *work)
+    return S / area(polygons[0], len(polygons[0]))
 
 
 def disc(radius: float, z: float, up: bool, corners: int = 400) -> np.ndarray:
     """A polygon with the disc's area."""
     angle = np.arange(corners) * 2 * np.pi / corners
     r = radius * np.sqrt(2 * np.pi / (corners * np.sin(2 * np.pi / corners)))
-    ring = np.stack([r * np.cos(angle), r * np.sin(angle), 0 * angle + z], axis=1)
-    return ring if up else ring[::-1]
+    polygon = np.stack([r * np.cos(angle), r * np.sin(angle), 0 * angle + z], axis=1)
+    return polygon if up else polygon[::-1]
 
 
 def room(size: tuple[float, float, float], materials: list[Material]) -> Scene:
     b = Builder("room")
-    for ring, material in zip(box((0, 0, 0), size, inside=True), materials, strict=True):
-        b.add([ring], material)
+    for polygon, material in zip(box((0, 0, 0), size, inside=True), materials, strict=True):
+        b.add([polygon], material)
     return b.scene()
 
 

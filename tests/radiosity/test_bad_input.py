@@ -19,7 +19,7 @@ GREY, LAMP = Material("grey", (0.5,) * 3), Material("lamp", (0.0,) * 3, (1.0,) *
 
 
 @pytest.mark.parametrize(
-    ("rings", "material", "sentence"),
+    ("polygons", "material", "sentence"),
     [
         ([SQUARE], Material("mirror", (1.0, 0.5, 0.5)), "less than 1, or light never ends"),
         ([SQUARE], Material("hole", (-0.1, 0.5, 0.5)), "at least 0"),
@@ -31,9 +31,9 @@ GREY, LAMP = Material("grey", (0.5,) * 3), Material("lamp", (0.0,) * 3, (1.0,) *
         ([], LAMP, "no polygon"),
     ],
 )
-def test_bad_scenes(rings: list[np.ndarray], material: Material, sentence: str) -> None:
+def test_bad_scenes(polygons: list[np.ndarray], material: Material, sentence: str) -> None:
     b = Builder("bad")
-    b.add(rings, material)
+    b.add(polygons, material)
     with pytest.raises(SceneError, match=sentence):
         replace(b.scene(), materials=(material,)).checked()
 
@@ -50,7 +50,7 @@ def test_what_can_be_mended_is_noted() -> None:
     twisted = quad((0, 0, 1), (1, 0, 1), (1, 1, 1.3), (0, 1, 1))
     b.add([SQUARE, SQUARE, SQUARE * (1, 0, 0), twisted], LAMP)
     scene = b.scene().checked()
-    assert len(scene.rings) == 3
+    assert len(scene.polygons) == 3
     assert sorted(scene.notes) == [
         "degenerate polygons, dropped: 1",
         "duplicate polygons, dropped: 1",

@@ -21,8 +21,8 @@ def on_reference(traced: dict[str, np.ndarray]) -> tuple[Patches, np.ndarray, Fo
     """Radiosity on the very patches of the reference."""
     scene = BUILT_IN["cornell"].make().checked()
     offsets, corners = traced["ring_offsets"], traced["ring_vertices"]
-    rings = [corners[a:b] for a, b in pairwise(offsets)]
-    parts = patches_of(scene, rings, [0] * len(rings))
+    polygons = [corners[a:b] for a, b in pairwise(offsets)]
+    parts = patches_of(scene, polygons, [0] * len(polygons))
     parts = replace(parts, rho=traced["rho"], E=traced["E"], normal=traced["normal"], area=traced["area"])
     factors = compute(parts)
     return parts, solved(factors)[-1].B, factors
@@ -43,18 +43,18 @@ def test_cornell_box(traced: dict[str, np.ndarray], on_reference: tuple[Patches,
 
 def test_cornell_box_with_four_times_the_patches(traced: dict[str, np.ndarray]) -> None:
     scene = BUILT_IN["cornell"].make().checked()
-    rings, of = [], []
+    polygons, of = [], []
     for number, (a, b) in enumerate(pairwise(traced["ring_offsets"])):
-        ring = traced["ring_vertices"][a:b]
-        middles = (ring + np.roll(ring, -1, axis=0)) / 2
-        if len(ring) == 4:
-            centre = (ring[0] + ring[1] + ring[2] + ring[3]) / 4
-            parts = [np.array([ring[k], middles[k], centre, middles[k - 1]]) for k in range(4)]
+        polygon = traced["ring_vertices"][a:b]
+        middles = (polygon + np.roll(polygon, -1, axis=0)) / 2
+        if len(polygon) == 4:
+            centre = (polygon[0] + polygon[1] + polygon[2] + polygon[3]) / 4
+            parts = [np.array([polygon[k], middles[k], centre, middles[k - 1]]) for k in range(4)]
         else:
-            parts = [np.array([ring[k], middles[k], middles[k - 1]]) for k in range(3)] + [middles]
-        rings += parts
+            parts = [np.array([polygon[k], middles[k], middles[k - 1]]) for k in range(3)] + [middles]
+        polygons += parts
         of += [number] * 4
-    p = patches_of(scene, rings, [0] * len(rings))
+    p = patches_of(scene, polygons, [0] * len(polygons))
     p = replace(p, rho=traced["rho"][of], E=traced["E"][of], normal=traced["normal"][of])
     B = solved(compute(p))[-1].B
     total = np.stack([np.bincount(of, p.area * B[:, c]) for c in range(3)], axis=1)

@@ -15,6 +15,7 @@ from glsim.radiosity.methods import compute
 from glsim.radiosity.patches import patches_of
 from glsim.radiosity.polygon import area, lambert
 from glsim.radiosity.progress import silent
+from glsim.radiosity.rays import Rays
 from glsim.radiosity.scene import Builder, Material, Scene, box
 from glsim.radiosity.scenes import BUILT_IN
 from glsim.radiosity.solvers import solved
@@ -41,10 +42,10 @@ def test_from_a_point() -> None:
     corner = [case for case in CASES["point_to_polygon"] if "corner of parallel" in case["name"]]
     for case in corner:
         a, b, c = case["a"], case["b"], case["c"]
-        ring = np.array([(0, 0, c), (0, b, c), (a, b, c), (a, 0, c)], float)
-        assert lambert(np.zeros(3), np.array([0.0, 0, 1]), ring, 4) == pytest.approx(case["F"], rel=1e-12)
-    ring = disc(1.0, 1.0, False)
-    assert lambert(np.zeros(3), np.array([0.0, 0, 1]), ring, len(ring)) == pytest.approx(0.5, rel=1e-4)
+        polygon = np.array([(0, 0, c), (0, b, c), (a, b, c), (a, 0, c)], float)
+        assert lambert(np.zeros(3), np.array([0.0, 0, 1]), polygon, 4) == pytest.approx(case["F"], rel=1e-12)
+    polygon = disc(1.0, 1.0, False)
+    assert lambert(np.zeros(3), np.array([0.0, 0, 1]), polygon, len(polygon)) == pytest.approx(0.5, rel=1e-4)
 
 
 @pytest.mark.parametrize("case", ["box_1x2x3", "cube_one_emitter"])
@@ -60,7 +61,7 @@ def test_boxes_with_one_patch_for_each_wall(case: str) -> None:
         for k in at
     ]  # fmt: skip
     scene = room(tuple(map(float, given_["size"])), materials).checked()
-    parts = patches_of(scene, list(scene.rings), list(range(6)))
+    parts = patches_of(scene, list(scene.polygons), list(range(6)))
     factors = compute(parts, exact=True)
     assert pytest.approx(np.array(given_["F"])[np.ix_(at, at)], rel=1e-6, abs=1e-9) == factors.F
     B = solved(factors, "lu")[-1].B
@@ -90,7 +91,7 @@ def test_reciprocity_and_rows(closed: FormFactors) -> None:
 def turned(scene: Scene, scale: float = 1.0) -> Scene:
     turn, _ = np.linalg.qr(np.random.default_rng(5).normal(size=(3, 3)))
     turn *= np.sign(np.linalg.det(turn))
-    return replace(scene, rings=tuple(scale * ring @ turn.T + (3.0, -2.0, 7.0) for ring in scene.rings))
+    return replace(scene, polygons=tuple(scale * polygon @ turn.T + (3.0, -2.0, 7.0) for polygon in scene.polygons))
 
 
 @pytest.mark.parametrize("scale", [1.0, 0.01, 1000.0])
@@ -103,7 +104,7 @@ def test_nothing_changes_when_the_scene_is_moved_turned_or_scaled(scale: float) 
 def test_nothing_changes_far_from_the_origin() -> None:
     """Rays have single precision: at a million, a unit cube would have corners of a sixteenth."""
     scene = BUILT_IN["cornell"].make().checked()
-    away = replace(scene, rings=tuple(ring / 500.0 + (1e6, -2e6, 3e6) for ring in scene.rings)).checked()
+    away = replace(scene, polygons=tuple(polygon / 500.0 + (1e6, -2e6, 3e6) for polygon in scene.polygons)).checked()
     one, two = (compute(subdivide(s, 150)) for s in (scene, away))
     assert len(one.patches) == len(two.patches)
     assert pytest.approx(one.F, abs=2e-3) == two.F
@@ -116,8 +117,8 @@ def test_a_sphere_from_inside() -> None:
 
     b = Builder("sphere")
     lamp, wall = Material("lamp", (0.5,) * 3, (10.0, 5.0, 0.0)), Material("wall", (0.5, 0.7, 0.9))
-    for ring in trimesh.creation.icosphere(3, radius=2.0).triangles:
-        b.add([ring[::-1]], lamp if ring[:, 1].min() > 1.0 else wall)
+    for polygon in trimesh.creation.icosphere(3, radius=2.0).triangles:
+        b.add([polygon[::-1]], lamp if polygon[:, 1].min() > 1.0 else wall)
     parts = subdivide(b.scene().checked(), length=100.0)
     factors = compute(parts)
     assert len(parts) == 1280
@@ -131,14 +132,14 @@ def test_a_sphere_from_inside() -> None:
 
 def test_threads_do_not_change_the_result() -> None:
     parts = subdivide(BUILT_IN["cornell"].make().checked(), 300)
-    assert np.array_equal(compute(parts, threads=1).S, compute(parts, threads=3).S)
+    assert np.array_equal(compute(parts, rays=Rays(parts.scene, 1)).S, compute(parts, rays=Rays(parts.scene, 3)).S)
 
 
 def test_blocked_pairs_against_monte_carlo() -> None:
     parts = subdivide(BUILT_IN["cornell"].make().checked(), 60)
     ours = compute(parts)
     free = compute(parts, "analytic").S
-    S, error = monte_carlo(parts, ours.visibility, 3000, 1, silent)
+    S, error = monte_carlo(parts, ours.visibility.rays, 3000, 1, silent)
     own = 0.06 * free  # where a pair is partly hidden, 16 rays, or 64, are off by half of 1 / sqrt(64)
     sure = error > 0
     apart = np.linalg.norm(parts.center[:, None] - parts.center, axis=2)

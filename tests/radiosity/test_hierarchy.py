@@ -12,15 +12,17 @@ from glsim.radiosity.adapt import refined
 from glsim.radiosity.factors import Factors
 from glsim.radiosity.formfactors import FormFactors
 from glsim.radiosity.gather import gathered, radiosity_at
-from glsim.radiosity.hierarchy import Links, Tree, linked, tree_of, tree_over
+from glsim.radiosity.hierarchy import Links, linked
 from glsim.radiosity.mesh import mesh_of, outline
 from glsim.radiosity.methods import compute
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.quadtree import divided
+from glsim.radiosity.rays import Rays
 from glsim.radiosity.scene import Scene, SceneError
 from glsim.radiosity.scenes import BUILT_IN
 from glsim.radiosity.solvers import solved
 from glsim.radiosity.subdivide import subdivide
+from glsim.radiosity.tree import Tree, tree_of, tree_over
 
 
 def scene(name: str) -> Scene:
@@ -126,7 +128,7 @@ def test_vertices_by_links(links: Links, matrix: FormFactors) -> None:
 
 
 def test_threads_do_not_change_links(tree: Tree, links: Links) -> None:
-    again = linked(tree, threads=1)
+    again = linked(tree, rays=Rays(tree.nodes.scene, 1))
     assert np.array_equal(again.ends, links.ends)
     assert np.array_equal(again.S, links.S)
 

@@ -34,7 +34,7 @@ def test_hemicube() -> None:
         assert delta_form_factors(resolution).sum() == pytest.approx(1.0, abs=0.6 / resolution**2)
     parts = subdivide(BUILT_IN["furnace"].make().checked(), 54)
     at_middle = np.zeros((len(parts), len(parts)))
-    arrays = (parts.rings, parts.counts, parts.normal, parts.center, parts.size, np.zeros(len(parts)))
+    arrays = (parts.corners, parts.counts, parts.normal, parts.center, parts.size, np.zeros(len(parts)))
     point_factors(parts.center, parts.normal, *arrays, at_middle)
     expected = at_middle * parts.area[:, None]
     expected = (expected + expected.T) / 2.0

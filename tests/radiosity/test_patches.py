@@ -55,9 +55,9 @@ def test_no_t_vertices() -> None:
         points = mesh.vertices[np.unique(chosen)]
         assert mesh_area(mesh.vertices[chosen]) == pytest.approx(parts.area[parts.polygon == polygon].sum(), rel=1e-9)
         for a, b in {(int(t[k]), int(t[(k + 1) % 3])) for t in chosen for k in range(3)}:
-            start, way = mesh.vertices[a], mesh.vertices[b] - mesh.vertices[a]
-            along = (points - start) @ way / (way @ way)
-            off = np.linalg.norm(points - start - along[:, None] * way, axis=1)
+            start, edge = mesh.vertices[a], mesh.vertices[b] - mesh.vertices[a]
+            along = (points - start) @ edge / (edge @ edge)
+            off = np.linalg.norm(points - start - along[:, None] * edge, axis=1)
             assert not ((off < 1e-6) & (along > 1e-6) & (along < 1 - 1e-6)).any()
 
 

@@ -70,8 +70,8 @@ def test_many_lamps_are_gathered_by_material() -> None:
     patches = subdivide(b.scene().checked(), 300)
     one, other = sorted(lamps_of(patches), key=lambda lamp: lamp.area)
     assert one.area == pytest.approx(4.5)
-    assert one.way == pytest.approx([0.0, -1.0, 0.0])
-    assert other.way is None  # a closed body shines all around
+    assert one.direction == pytest.approx([0.0, -1.0, 0.0])
+    assert other.direction is None  # a closed body shines all around
     assert other.at == pytest.approx([4.5, 1.5, 1.5])
     assert other.area == pytest.approx(6.0)
 

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from glsim import radiosity
-from glsim.radiosity.hierarchy import linked, tree_of
+from glsim.radiosity.hierarchy import linked
 from glsim.radiosity.scene import Builder, Material, SceneError, box, quad
+from glsim.radiosity.tree import tree_of
 from tests.radiosity.helpers import mesh_area
 
 
@@ -115,7 +116,9 @@ def test_what_escapes_is_told() -> None:
 
 def test_what_lights_nothing_is_told() -> None:
     b = Builder("ball")
-    b.add([ring[::-1] for ring in box((0, 0, 0), (1, 1, 1), inside=True)], Material("glows", (0.1,) * 3, (1.0,) * 3))
+    b.add(
+        [polygon[::-1] for polygon in box((0, 0, 0), (1, 1, 1), inside=True)], Material("glows", (0.1,) * 3, (1.0,) * 3)
+    )
     ball = radiosity.solve(b.scene(), 30)
     assert pytest.approx(ball.patches.E) == ball.B
     assert "no patch sees another, so nothing is lit" in ball.report()["notes"][0]

@@ -52,7 +52,7 @@ def test_averages_are_weighted_by_area() -> None:
     wide, narrow = quad((0, 0, 0), (3, 0, 0), (3, 3, 0), (0, 3, 0)), quad((3, 0, 0), (4, 0, 0), (4, 1, 0), (3, 1, 0))
     b.add([wide, *(np.add(narrow, (0, k, 0)) for k in range(3))], Material("lamp", (0.5,) * 3, (1.0,) * 3), smooth=True)
     scene = b.scene().checked()
-    parts = patches_of(scene, list(scene.rings), range(4))
+    parts = patches_of(scene, list(scene.polygons), range(4))
     mesh = mesh_of(parts)
     assert np.bincount(mesh.triangle_patch)[0] > 4  # a fan
     B = np.array([[1.0], [2.0], [4.0], [8.0]]).repeat(3, axis=1)

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 from glsim import radiosity
+from glsim.radiosity import rays
 from glsim.radiosity.methods import compute
+from glsim.radiosity.rays import Rays
 from glsim.radiosity.scene import Builder, Material, box, normal_of, quad
 from glsim.radiosity.scenes import BUILT_IN
 from glsim.radiosity.solution import _compiled
@@ -23,8 +25,8 @@ def test_what_bodies_tell_agrees_with_rays(name: str) -> None:
     parts = subdivide(BUILT_IN[name].make().checked(), 700)
     S = compute(parts, "analytic").S
     i, j = np.nonzero(np.triu(S))
-    arrays = parts.rings, parts.counts, parts.normal, np.stack([i, j], axis=1)
-    with_bodies, rays_alone = Visibility(parts.scene), Visibility(parts.scene)
+    arrays = parts.corners, parts.counts, parts.normal, np.stack([i, j], axis=1)
+    with_bodies, rays_alone = Visibility(Rays(parts.scene)), Visibility(Rays(parts.scene))
     rays_alone.bodies = None
     share, asked = with_bodies.asked(*arrays)
     everywhere, all_asked = rays_alone.asked(*arrays)
@@ -61,7 +63,7 @@ def test_what_stands_free_is_seen(height: float, thickness: float) -> None:
         b.add([face for face in body if abs(normal_of(face)[1] + 1.0) > 1e-9], Material("shade", (0.2,) * 3))
     result = radiosity.solve(b.scene(), 300)
     shines = result.patches.E.max(axis=1) > 0.0
-    assert normal_of(result.patches.scene.rings[6])[1] == -1.0
+    assert normal_of(result.patches.scene.polygons[6])[1] == -1.0
     assert result.factors.row_sums[shines] == pytest.approx(1.0, abs=0.01)
     assert result.B[~shines].max() > 0.5
 
@@ -81,16 +83,27 @@ def test_a_sheet_has_two_sides() -> None:
     assert result.report()["notes"] == []
 
 
-@pytest.mark.parametrize("more", [{"adaptive": True}, {"method": "hierarchical"}, {"method": "point"}])
-def test_one_thread_stays_one(more: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
-    """For all rays: of the form factors, of the vertices, of what is asked of the result."""
+@pytest.mark.parametrize(
+    "more", [{}, {"adaptive": True}, {"method": "hierarchical"}, {"method": "point"}, {"method": "hemicube"}]
+)
+def test_a_solution_has_one_object_for_its_rays(more: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    """One pool with the threads asked for, and three Embree trees: the scene, and moved a little to either side."""
     _compiled(more.get("method") == "hierarchical")
     pools: list[int] = []
+    trees: list[int] = []
 
     def pool(threads: int) -> ThreadPoolExecutor:
         pools.append(threads)
         return ThreadPoolExecutor(threads)
 
-    monkeypatch.setattr("glsim.radiosity.visibility.ThreadPoolExecutor", pool)
-    radiosity.solve("cornell", 120, threads=1, **more).direct()
-    assert set(pools) == {1}
+    def tree(triangles: np.ndarray) -> Any:
+        trees.append(len(triangles))
+        return built(triangles)
+
+    built = rays._tree
+    monkeypatch.setattr(rays, "ThreadPoolExecutor", pool)
+    monkeypatch.setattr(rays, "_tree", tree)
+    result = radiosity.solve("cornell", 120, threads=1, **more)
+    result.direct()
+    assert pools == [1]
+    assert trees == 3 * [len(result.patches.scene.triangles())]
