@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from glsim.radiosity.compiled import parallel, prange
 from glsim.radiosity.factors import Factors
 from glsim.radiosity.hidden import covered
-from glsim.radiosity.mesh import Mesh
+from glsim.radiosity.mesh import PatchMesh
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.polygon import MOST_CORNERS, area, at_point, bilinear
 from glsim.radiosity.progress import Progress, silent
@@ -43,7 +43,7 @@ def radiosity_at(
     return np.asarray(patches.E[patch] + patches.rho[patch] * H)
 
 
-def gathered(factors: Factors, mesh: Mesh, B: Float, progress: Progress | None = None) -> Float:
+def gathered(factors: Factors, mesh: PatchMesh, B: Float, progress: Progress | None = None) -> Float:
     """Return the radiosity at the mesh's vertices (V, 3), from the radiosity B (n, 3) of the patches.
 
     The first gather takes every patch as evenly bright.  It gives the patches' corners a radiosity, with which near
@@ -118,7 +118,7 @@ def _uneven(
             out[row, k] = value[k] - whole * total[k] / whole_area
 
 
-def averaged(patches: Patches, mesh: Mesh, B: Float) -> Float:
+def averaged(patches: Patches, mesh: PatchMesh, B: Float) -> Float:
     """Return the radiosity at the vertices (V, 3): the mean of the patches around, weighted by their areas."""
     vertex, patch = np.divmod(
         np.unique(mesh.triangles.ravel() * len(patches) + np.repeat(mesh.triangle_patch, 3)), len(patches)

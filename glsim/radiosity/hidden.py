@@ -24,7 +24,7 @@ def exposed(patches: Patches, rays: Rays) -> Patches:
     Three kinds are left out.  A patch inside a body: nearly all rays from its middle and from near its corners meet
     the backs of polygons.  A patch behind a coplanar lamp: a smaller polygon of the same plane and the same front lies
     on it.  A patch under a body that stands on it, as the floor under a crate: a coplanar polygon of the opposite
-    front lies on it, and all rays meet backs or nothing of the scene is in front.
+    front lies on it, and all rays meet backs, or the whole scene is behind the patch's plane.
 
     Raises SceneError if nearly everything would be left out: then the normals are inverted.
     """

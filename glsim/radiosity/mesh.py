@@ -16,7 +16,7 @@ SAME = 1e-7  # of the scene's size: this near, points are one vertex
 
 
 @dataclass(frozen=True, repr=False)
-class Mesh:
+class PatchMesh:
     """Triangles without T-vertices.
 
     vertices, normals: (V, 3); at: (V, 3) where light is gathered; patch: (V,) the largest patch each vertex belongs
@@ -32,7 +32,7 @@ class Mesh:
     corners: Int
 
     def __repr__(self) -> str:
-        return f"<Mesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
+        return f"<PatchMesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,7 @@ def _between(corners: Int, counts: Int, positions: Float, group: Int, unit: floa
     return between
 
 
-def mesh_of(patches: Patches) -> Mesh:
+def mesh_of(patches: Patches) -> PatchMesh:
     """Return the patches as triangles without T-vertices.
 
     A patch on whose edges lie vertices of its neighbours becomes a fan around its middle.
@@ -115,7 +115,7 @@ def mesh_of(patches: Patches) -> Mesh:
     return _with_normals(patches, positions, faces, of, corners)
 
 
-def _with_normals(patches: Patches, positions: Float, triangles: Int, of: Int, corners: Int) -> Mesh:
+def _with_normals(patches: Patches, positions: Float, triangles: Int, of: Int, corners: Int) -> PatchMesh:
     """Return the mesh of triangles (T, 3) of the patches ``of`` (T,), with normals and points of gathering.
 
     A vertex's normal is the mean of the patches around it, weighted by area.  Where the angles around a vertex do not
@@ -139,4 +139,4 @@ def _with_normals(patches: Patches, positions: Float, triangles: Int, of: Int, c
     flat = length > 1e-12 * patches.area[largest]
     normals = np.where(flat[:, None], normals / np.where(flat, length, 1.0)[:, None], patches.normal[largest])
     at = np.where((around < 6.28)[:, None], positions + INWARD * (patches.center[largest] - positions), positions)
-    return Mesh(positions, normals, at, largest, triangles, of, corners)
+    return PatchMesh(positions, normals, at, largest, triangles, of, corners)

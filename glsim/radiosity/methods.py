@@ -1,6 +1,6 @@
 """The ways to find form factors: a table from names to functions, and ``compute``, which picks one of them.
 
-To add a method, write a function that takes patches, visibility and settings and returns a Result, and add its row.
+To add a method, write a function that takes patches, visibility and options and returns a Result, and add its row.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from glsim.radiosity.visibility import Visibility
 
 
 @dataclass(frozen=True)
-class Settings:
+class Options:
     """What ``compute`` was asked for, see there."""
 
     exact: bool
@@ -43,38 +43,38 @@ class Result(NamedTuple):
     error: NDArray[np.float32] | None = None
 
 
-def _contour(patches: Patches, visibility: Visibility, settings: Settings) -> Result:
-    return Result(*by_pairs(patches, visibility, "contour", settings.exact, settings.progress, settings.checkpoint))
+def _contour(patches: Patches, visibility: Visibility, options: Options) -> Result:
+    return Result(*by_pairs(patches, visibility, "contour", options.exact, options.progress, options.checkpoint))
 
 
-def _analytic(patches: Patches, visibility: Visibility, settings: Settings) -> Result:
-    return Result(*by_pairs(patches, None, "analytic", settings.exact, settings.progress, settings.checkpoint))
+def _analytic(patches: Patches, visibility: Visibility, options: Options) -> Result:
+    return Result(*by_pairs(patches, None, "analytic", options.exact, options.progress, options.checkpoint))
 
 
-def _point(patches: Patches, visibility: Visibility, settings: Settings) -> Result:
-    return Result(disc_or_point(patches, visibility.rays, disc=False, progress=settings.progress))
+def _point(patches: Patches, visibility: Visibility, options: Options) -> Result:
+    return Result(disc_or_point(patches, visibility.rays, disc=False, progress=options.progress))
 
 
-def _disc(patches: Patches, visibility: Visibility, settings: Settings) -> Result:
-    return Result(disc_or_point(patches, visibility.rays, disc=True, progress=settings.progress))
+def _disc(patches: Patches, visibility: Visibility, options: Options) -> Result:
+    return Result(disc_or_point(patches, visibility.rays, disc=True, progress=options.progress))
 
 
-def _monte_carlo(patches: Patches, visibility: Visibility, settings: Settings) -> Result:
-    S, error = monte_carlo(patches, visibility.rays, settings.samples, settings.seed, settings.progress)
+def _monte_carlo(patches: Patches, visibility: Visibility, options: Options) -> Result:
+    S, error = monte_carlo(patches, visibility.rays, options.samples, options.seed, options.progress)
     return Result(S, error=error)
 
 
-def _hemicube(patches: Patches, visibility: Visibility, settings: Settings) -> Result:
+def _hemicube(patches: Patches, visibility: Visibility, options: Options) -> Result:
     from glsim.radiosity.hemicube import hemicube  # the only method that needs a GPU
 
-    return Result(hemicube(patches, settings.progress))
+    return Result(hemicube(patches, options.progress))
 
 
 class Method(NamedTuple):
     """about: one sentence for a list of methods; function: finds the form factors of patches."""
 
     about: str
-    function: Callable[[Patches, Visibility, Settings], Result]
+    function: Callable[[Patches, Visibility, Options], Result]
 
 
 MATRICES = {
@@ -117,9 +117,9 @@ def compute(
             " cluster (--scheduler)"
         )
     visibility = Visibility(rays or Rays(patches.scene))
-    settings = Settings(exact, samples, seed, progress or silent, checkpoint)
+    options = Options(exact, samples, seed, progress or silent, checkpoint)
     start = time.perf_counter()
-    S, seconds, error = MATRICES[method].function(patches, visibility, settings)
+    S, seconds, error = MATRICES[method].function(patches, visibility, options)
     return FormFactors(patches, visibility, S, method, seconds or {"form factors": time.perf_counter() - start}, error)
 
 

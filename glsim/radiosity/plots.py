@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
-from glsim.radiosity.solvers import Step
+from glsim.radiosity.solvers import SolverStep
 
 PAPER, INK, GRID = (250, 250, 248), (30, 32, 38), (215, 215, 212)
 COLORS = ((200, 60, 40), (40, 90, 200), (30, 140, 80), (160, 90, 180), (210, 140, 20), (90, 90, 90))
 
 
-def convergence(series: dict[str, Sequence[Step]], size: tuple[int, int] = (720, 440)) -> Image.Image:
+def convergence(series: dict[str, Sequence[SolverStep]], size: tuple[int, int] = (720, 440)) -> Image.Image:
     """Draw the residual over the iterations, logarithmically, with a line for each solver's steps."""
     picture = Image.new("RGB", size, PAPER)
     pen, font = ImageDraw.Draw(picture), ImageFont.load_default(13)

@@ -22,7 +22,7 @@ ACROSS = 0.5  # cosine: a normal that is less along a polygon's own says nothing
 SAME = 1e-4  # of the scene's size, and of a unit normal: corners this near are one
 
 
-class Surface(NamedTuple):
+class DrawnPolygon(NamedTuple):
     """One polygon in eye space, its front counterclockwise.
 
     polygon, normals: (k, 3), the normals zeros where they tell nothing; material, back: of the other side, None if
@@ -47,8 +47,8 @@ DOUBTS = {
 def from_frame(frame: Any, name: str = "frame") -> Scene:
     """Return the polygons of a Frame in eye space: k_d becomes rho, emission E.
 
-    What is drawn unlit reflects its colour.  OpenGL's lights are left out: in radiosity light comes from surfaces, so something must have GL_EMISSION.  A sheet
-    that is lit with GL_LIGHT_MODEL_TWO_SIDE reflects on both sides.
+    What is drawn unlit reflects its colour.  OpenGL's lights are left out: in radiosity light comes from surfaces, so
+    something must have GL_EMISSION.  A sheet that is lit with GL_LIGHT_MODEL_TWO_SIDE reflects on both sides.
     """
     from glsim.machine.assembly import corners
 
@@ -68,7 +68,7 @@ def from_frame(frame: Any, name: str = "frame") -> Scene:
     return replace(b.scene(_view_in(draws[0].matrices[1].get().astype(np.float64))), notes=tuple(notes))
 
 
-def _surfaces(draw: Any) -> list[Surface]:
+def _surfaces(draw: Any) -> list[DrawnPolygon]:
     """Return the polygons of one Draw of a Frame."""
     from glsim.machine.assembly import outlines
     from glsim.machine.constants import GL_CW, GL_FRONT, GL_SMOOTH
@@ -102,7 +102,7 @@ def _surfaces(draw: Any) -> list[Surface]:
         order = slice(None) if front else slice(None, None, -1)
         sides = _materials(draw, int(numbers[polygon[-1]]))
         surfaces.append(
-            Surface(points[polygon][order], normals[polygon][order] * sure, sides[0], sides[1] if both else None,
+            DrawnPolygon(points[polygon][order], normals[polygon][order] * sure, sides[0], sides[1] if both else None,
                     lighting.shade_model == GL_SMOOTH, doubt)
         )  # fmt: skip
     return surfaces
@@ -154,7 +154,7 @@ def _view_in(projection: Float) -> View:
 # ---------------------------------------------------------------- what belongs together
 
 
-def _corners(surfaces: list[Surface]) -> tuple[Int, Int]:
+def _corners(surfaces: list[DrawnPolygon]) -> tuple[Int, Int]:
     """Return two numbers for each corner of all polygons, in order: its polygon's, and its place's."""
     points = np.concatenate([surface.polygon for surface in surfaces])
     unit = SAME * max(float(np.linalg.norm(np.ptp(points, axis=0))), 1e-300)
@@ -162,7 +162,7 @@ def _corners(surfaces: list[Surface]) -> tuple[Int, Int]:
     return owner, np.unique(np.round(points / unit), axis=0, return_inverse=True)[1].ravel()
 
 
-def _parts(surfaces: list[Surface]) -> list[list[int]]:
+def _parts(surfaces: list[DrawnPolygon]) -> list[list[int]]:
     """Group the numbers of polygons that form one smooth surface.
 
     They have one material, and share a corner and the normal there, at once or through others.
@@ -187,7 +187,7 @@ def _parts(surfaces: list[Surface]) -> list[list[int]]:
     return list(parts.values())
 
 
-def _open(surfaces: list[Surface]) -> NDArray[np.bool_]:
+def _open(surfaces: list[DrawnPolygon]) -> NDArray[np.bool_]:
     """Return whether each polygon is part of a sheet, and not of a body's surface: (n,).
 
     A sheet has an edge along which no other polygon runs in the opposite direction.

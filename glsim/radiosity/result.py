@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from glsim.files import write_atomically
 from glsim.radiosity.factors import Factors
 from glsim.radiosity.gather import radiosity_at
-from glsim.radiosity.mesh import Mesh
+from glsim.radiosity.mesh import PatchMesh
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.scene import SceneError, View, view_of
-from glsim.radiosity.solvers import Step
+from glsim.radiosity.solvers import SolverStep
 from glsim.radiosity.tone import GAMMA, automatic_white, toned
 
 if TYPE_CHECKING:
@@ -40,9 +40,9 @@ class Radiosity:
 
     patches: Patches
     factors: Factors
-    steps: list[Step]
+    steps: list[SolverStep]
     B: Float
-    mesh: Mesh
+    mesh: PatchMesh
     vertex_radiosity: Float
     solver: str
     seconds: dict[str, float] = field(default_factory=dict)

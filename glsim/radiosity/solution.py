@@ -27,7 +27,7 @@ from glsim.radiosity.rays import Rays
 from glsim.radiosity.result import Radiosity
 from glsim.radiosity.scene import SceneError
 from glsim.radiosity.scenes import cornell
-from glsim.radiosity.solvers import WITHOUT_MATRIX, Step, solved
+from glsim.radiosity.solvers import WITHOUT_MATRIX, SolverStep, solved
 from glsim.radiosity.subdivide import subdivide
 from glsim.radiosity.tree import tree_of
 
@@ -39,7 +39,7 @@ def solve(
     what: Any, patches: int = 2000, *, method: str = "contour", solver: str | None = None, tolerance: float = 1e-6,
     vertices: str = "gather", adaptive: bool = False, accuracy: float = ACCURACY, flip: bool = False,
     close: bool = False, threads: int | None = None, checkpoint: str | None = None, scheduler: str | None = None,
-    progress: Progress | None = None, on_step: Callable[[Step], object] | None = None,
+    progress: Progress | None = None, on_step: Callable[[SolverStep], object] | None = None,
 ) -> Radiosity:  # fmt: skip
     """Solve the radiosity of a scene.
 

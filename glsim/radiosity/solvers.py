@@ -21,7 +21,7 @@ Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 
 
-class Step(NamedTuple):
+class SolverStep(NamedTuple):
     """After one iteration.  B: (n, 3); residual: largest norm of E - (I - R F) B over the channels, relative to E's;
     balance: power that leaves the patches for good (absorbed or escaped) over the power emitted, 1 at the solution."""
 
@@ -67,18 +67,18 @@ class System:
         result[np.diag_indices(len(result))] += 1.0
         return np.asarray(result)
 
-    def step(self, iteration: int, B: Float, arriving: Float | None = None) -> Step:
-        """Return the Step for radiosities B (n, 3); arriving: their irradiance (n, 3), if it is known already."""
+    def step(self, iteration: int, B: Float, arriving: Float | None = None) -> SolverStep:
+        """Return the SolverStep for radiosities B (n, 3); arriving: their irradiance (n, 3), if it is known already."""
         H = self.gathered(B) if arriving is None else arriving
         residual = self.E + self.rho * H - B
         norms = np.linalg.norm(residual, axis=0) / np.maximum(np.linalg.norm(self.E, axis=0), 1e-300)
         emitted = float((self.area[:, None] * self.E).sum())
         lost = float((self.area[:, None] * (B - self.rho * H)).sum())
         used = norms[np.linalg.norm(self.E, axis=0) > 0.0]
-        return Step(iteration, B, float(used.max(initial=0.0)), lost / emitted if emitted else 1.0)
+        return SolverStep(iteration, B, float(used.max(initial=0.0)), lost / emitted if emitted else 1.0)
 
 
-def lu(system: System) -> Iterator[Step]:
+def lu(system: System) -> Iterator[SolverStep]:
     """Solve directly, by LU factorisation of each channel's matrix: one step."""
     from scipy.linalg import lu_factor, lu_solve
 
@@ -93,7 +93,7 @@ def _exact(system: System, B: Float) -> Float:
     return np.asarray(system.rows.astype(np.float64) @ B / system.area[:, None])
 
 
-def jacobi(system: System) -> Iterator[Step]:
+def jacobi(system: System) -> Iterator[SolverStep]:
     """Gather with all patches at once.  Iteration k is the light after k bounces."""
     B = system.E.copy()
     iteration = 0
@@ -104,7 +104,7 @@ def jacobi(system: System) -> Iterator[Step]:
         iteration += 1
 
 
-def gauss_seidel(system: System, omega: float = 1.0) -> Iterator[Step]:
+def gauss_seidel(system: System, omega: float = 1.0) -> Iterator[SolverStep]:
     """Gather with one patch after the other, from what the others have already gathered; omega: over-relaxation."""
     if not 0.0 < omega < 2.0:
         raise SceneError(f"over-relaxation converges for omega between 0 and 2, not {omega}")
@@ -117,12 +117,12 @@ def gauss_seidel(system: System, omega: float = 1.0) -> Iterator[Step]:
         yield system.step(iteration, B.copy())
 
 
-def sor(system: System) -> Iterator[Step]:
+def sor(system: System) -> Iterator[SolverStep]:
     """Gather with successive over-relaxation, omega = 1.15."""
     return gauss_seidel(system, 1.15)
 
 
-def conjugate_gradients(system: System) -> Iterator[Step]:
+def conjugate_gradients(system: System) -> Iterator[SolverStep]:
     """Solve by conjugate gradients, preconditioned by the diagonal, the three channels side by side.
 
     They need a symmetric system: (A / rho - S) B = A E / rho.  Patches that reflect nothing have B = E and stay out.
@@ -149,7 +149,7 @@ def conjugate_gradients(system: System) -> Iterator[Step]:
         iteration += 1
 
 
-def shooting(system: System, ambient: bool = False, many: int | None = None) -> Iterator[Step]:
+def shooting(system: System, ambient: bool = False, many: int | None = None) -> Iterator[SolverStep]:
     """Shoot: the patch with most unshot power sends it to all others (progressive refinement, Cohen et al. 1988).
 
     A step is ``many`` shots, by default a twentieth of the patches.  ambient: add to B an estimate of what is still to
@@ -176,7 +176,7 @@ def shooting(system: System, ambient: bool = False, many: int | None = None) -> 
         iteration += 1
 
 
-SOLVERS: dict[str, Callable[[System], Iterator[Step]]] = {
+SOLVERS: dict[str, Callable[[System], Iterator[SolverStep]]] = {
     "gauss-seidel": gauss_seidel, "jacobi": jacobi, "sor": sor, "cg": conjugate_gradients, "shooting": shooting,
     "lu": lu,
 }  # fmt: skip
@@ -185,15 +185,15 @@ WITHOUT_MATRIX = ("cg", "jacobi")  # solvers that only multiply by it
 
 def solved(
     factors: Factors, solver: str = "gauss-seidel", *, tolerance: float = 1e-6, most: int = 1000,
-    progress: Callable[[Step], object] | None = None,
-) -> list[Step]:  # fmt: skip
+    progress: Callable[[SolverStep], object] | None = None,
+) -> list[SolverStep]:  # fmt: skip
     """Return all steps up to the one whose residual is at most ``tolerance``; only the last keeps its own B.
 
     Raises SceneError for an unknown solver, and if ``most`` steps are not enough.
     """
     if solver not in SOLVERS:
         raise SceneError(f"the solvers are {', '.join(SOLVERS)}, not {solver!r}")
-    steps: list[Step] = []
+    steps: list[SolverStep] = []
     for step in SOLVERS[solver](System.of(factors)):
         steps.append(step)
         if len(steps) > 1:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from glsim import gl
 from glsim.glu.view import gluLookAt, gluPerspective
-from glsim.radiosity.mesh import Mesh
+from glsim.radiosity.mesh import PatchMesh
 from glsim.radiosity.pointlights import PointLamp, ambient_of, lamps_of
 from glsim.radiosity.scene import Scene, View
 from glsim.render.context import offscreen
@@ -36,7 +36,7 @@ def look(view: View, scene: Scene) -> None:
     gluLookAt(*view.eye, *view.target, *view.up)
 
 
-def picture_of(mesh: Mesh, colors: Float, scene: Scene, view: View, size: int, samples: int) -> Image.Image:
+def picture_of(mesh: PatchMesh, colors: Float, scene: Scene, view: View, size: int, samples: int) -> Image.Image:
     """Draw a mesh with vertex colours (V, 3) from a camera into a square picture, ``size`` pixels wide."""
     with offscreen(size, size, samples=samples) as screen:
         look(view, scene)
@@ -44,7 +44,7 @@ def picture_of(mesh: Mesh, colors: Float, scene: Scene, view: View, size: int, s
         return screen.image()
 
 
-def draw_colors(mesh: Mesh, colors: Float) -> None:
+def draw_colors(mesh: PatchMesh, colors: Float) -> None:
     """Draw a mesh under the current matrices: colours (V, 3) at its vertices, GL_SMOOTH, no lighting, fronts only."""
     gl.glDisable(gl.GL_LIGHTING)
     gl.glShadeModel(gl.GL_SMOOTH)

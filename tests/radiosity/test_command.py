@@ -51,8 +51,9 @@ def test_the_command(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert json.loads(capsys.readouterr().out)["scene"] == "plates"
 
 
+@pytest.mark.slow
 def test_several_views(folder: Path) -> None:
-    assert run("museum --patches 600 --size 48 --views all -o a.png -o a.ply --direct d.png") == 0
+    assert run("museum --patches 300 --size 48 --views all -o a.png -o a.ply --direct d.png") == 0
     assert sorted(path.name for path in folder.iterdir()) == ["a-0.png", "a-1.png", "a.ply", "d-0.png", "d-1.png"]
     assert Path("a-0.png").read_bytes() != Path("a-1.png").read_bytes()
 

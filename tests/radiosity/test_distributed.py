@@ -22,6 +22,7 @@ from glsim.radiosity.scenes import BUILT_IN
 from glsim.radiosity.subdivide import subdivide
 
 PATCHES = 700
+pytestmark = pytest.mark.slow  # worker processes are started
 
 
 @pytest.fixture(scope="module")

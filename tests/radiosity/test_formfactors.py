@@ -135,6 +135,7 @@ def test_threads_do_not_change_the_result() -> None:
     assert np.array_equal(compute(parts, rays=Rays(parts.scene, 1)).S, compute(parts, rays=Rays(parts.scene, 3)).S)
 
 
+@pytest.mark.slow
 def test_blocked_pairs_against_monte_carlo() -> None:
     parts = subdivide(BUILT_IN["cornell"].make().checked(), 60)
     ours = compute(parts)

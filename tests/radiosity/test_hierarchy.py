@@ -160,11 +160,12 @@ def test_a_tree_has_about_as_many_elements_as_asked() -> None:
     assert len(tree_of(scene("museum"), 20000).leaves) == pytest.approx(20000, rel=0.35)
 
 
+@pytest.mark.slow
 def test_what_is_hidden_in_part_stays() -> None:
     """The tops of the museum's pedestals, in the middle of which something stands, whatever the size of patches."""
     room = scene("museum")
-    tree = tree_of(room, 8000)
-    for found in (tree.nodes, subdivide(room, 400), subdivide(room, 3000)):
+    tree = tree_of(room, 5000)
+    for found in (tree.nodes, subdivide(room, 400), subdivide(room, 1500)):
         roots = found.level == 0
         top = roots & (np.abs(found.center[:, 1] - 1.0) < 1e-6) & (found.normal[:, 1] > 0.9)
         here = top & (np.abs(found.center[:, [0, 2]] - (2.0, 3.0)).max(axis=1) < 0.46)
@@ -220,12 +221,13 @@ def shown_on_the_floor(factors: Factors, points: np.ndarray) -> np.ndarray:
     return result
 
 
+@pytest.mark.slow
 def test_adaptive_patches_show_more_with_as_many() -> None:
     """On the floor, where the shadows are, against a final gather from many patches."""
     room = scene("cornell")
     random = np.random.default_rng(4)
     points = np.stack([random.uniform(5, 545, 400), np.zeros(400), random.uniform(5, 554, 400)], axis=1)
-    fine = compute(subdivide(room, 3000))
+    fine = compute(subdivide(room, 2000))
     B = solved(fine)[-1].B
     adaptive = compute(refined(subdivide(room, 250), 1000, compute))
     uniform = compute(subdivide(room, len(adaptive.patches)))

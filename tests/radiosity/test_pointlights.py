@@ -96,7 +96,7 @@ def test_ambient_in_a_furnace() -> None:
 
 def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "two.png"
-    words = ["compare", "museum", "--modes", "gouraud,radiosity", "--size", "64", "--patches", "700", "--view", "1"]
+    words = ["compare", "museum", "--modes", "gouraud,radiosity", "--size", "64", "--patches", "300", "--view", "1"]
     assert main([*words, "-o", str(out), "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert [row["mode"] for row in told["differences"]] == ["gouraud", "radiosity"]

@@ -17,10 +17,11 @@ from glsim.radiosity.subdivide import subdivide
 from glsim.radiosity.tone import toned
 
 
+@pytest.mark.slow
 def test_vertices_where_light_changes_fast() -> None:
-    """At the vertices, most of which are in corners and at shadows, against a gather from ten times the patches."""
+    """At the vertices, most of which are in corners and at shadows, against a gather from seven times the patches."""
     scene = BUILT_IN["cornell"].make().checked()
-    coarse, fine = (compute(subdivide(scene, count)) for count in (500, 5000))
+    coarse, fine = (compute(subdivide(scene, count)) for count in (500, 3500))
     B, B_fine = (solved(factors)[-1].B for factors in (coarse, fine))
     mesh, mesh_fine = (mesh_of(factors.patches) for factors in (coarse, fine))
     bright = gathered(fine, mesh_fine, B_fine)[mesh_fine.corners]
