@@ -1,14 +1,18 @@
 """Radiosity: diffuse light that bounces, solved patch by patch and baked into vertex colours.
 
-    scene        polygons with reflectance and exitance, and their checks
-    patches      breaking them into patches, cut where they touch (contacts) and without what is hidden (exposure)
-    formfactors  how much of what leaves one patch arrives at another; textbook, hemicube: other ways to find it
-    hierarchy    links between levels of detail instead of a matrix
-    solvers      the linear system (I - R F) B = E
-    adapt        more patches where the light changes fast
-    bake         radiosity at vertices, tone mapping
-    solution     glsim.radiosity.solve: all of it
-    result       what it returns: pictures, files, a report
+    scene, scenes     polygons with reflectance and exitance, checks; the built-in ones; load, program: others
+    patches           what light is exchanged between; subdivide makes them, contacts cuts them where polygons touch,
+                      hidden leaves out what nobody sees
+    methods           a table of the ways to find form factors; formfactors (contour), textbook, hemicube
+    visibility        how much of one patch another one sees; rays owns Embree and the threads, bodies save most rays
+    hierarchy         links between the levels of a tree instead of a matrix; distributed: blocks elsewhere
+    factors           what all of these know: the protocol
+    solvers           the linear system (I - R F) B = E
+    adapt             more patches where the light changes fast
+    gather, tone      radiosity at vertices; colours for the screen
+    solution          glsim.radiosity.solve: all of it
+    result, view      what it returns: numbers, files, a report; drawing it; pointlights: OpenGL's lights instead
+    compiled          numba; inner loops are in polygon, contour, pairs, samples, links and matrix
 
 Needs numba and embreex: ``pip install glsim[radiosity]``.
 """

@@ -7,19 +7,22 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.bake import gathered
+from glsim.radiosity.factors import Factors
+from glsim.radiosity.gather import gathered
 from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.quadtree import divided
-from glsim.radiosity.solvers import Factors, solved
+from glsim.radiosity.solvers import solved
 
 Float = NDArray[np.float64]
 ROUNDS = 8  # at most
 
 
 def refined(patches: Patches, count: int, factors_of: Callable[[Patches], Factors]) -> Patches:
-    """Patches divided, those first whose interpolated radiosity is most wrong, until there are about ``count``; their
-    number at most doubles between two solutions."""
+    """Divide patches until there are about ``count``, those first whose interpolated radiosity is most wrong.
+
+    factors_of: finds the form factors of patches.  Between two solutions the number of patches at most doubles.
+    """
     for _ in range(ROUNDS):
         wanted = min(count, 2 * len(patches)) - len(patches)
         if wanted < 3:
@@ -35,7 +38,7 @@ def refined(patches: Patches, count: int, factors_of: Callable[[Patches], Factor
 
 
 def interpolation_error(factors: Factors) -> Float:
-    """(n,): how far, at the middle of each patch, the radiosity gathered there is from the one between its corners."""
+    """Return how far the radiosity gathered at each patch's middle is from the mean at its corners: (n,)."""
     patches = factors.patches
     B = solved(factors, tolerance=1e-4)[-1].B
     mesh = mesh_of(patches)

@@ -1,7 +1,8 @@
-"""Convex regions around what stands in a scene: they tell of most pairs of patches, without a ray, what is in between.
+"""Convex regions around what stands in a scene: for most pairs of patches they save all rays.
 
-Outside of the regions there is nothing in the way, so a pair whose connections all miss them sees each other whole.
-A region whose whole surface is proven to be polygons (``solid``) hides whatever lies beyond it.
+Nothing can block outside of the regions, so two patches see each other wholly if all lines between them miss all
+regions.  They do not see each other at all if every line between them goes through one region that is ``solid``: its
+whole surface is proven to consist of polygons.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.kernels import jit
+from glsim.radiosity.compiled import jit
 from glsim.radiosity.scene import Scene, area_of, normal_of
 
 Float = NDArray[np.float64]
@@ -23,7 +24,7 @@ GAP = (
 EXACT = 1e-6  # of the scene's size: how far a corner of a proven body may be from where it should be
 MOST_BODIES, MOST_PLANES = 48, 24  # more are not worth asking
 MOST_POLYGONS = 4000
-TOUCH = 1e-6  # of the way between two ends: what is shorter only touches
+TOUCH = 1e-6  # of the line between two ends: a shorter part inside a region only touches it
 THIN = 1e-4  # of the scene's size: a thinner region is made a little thicker, and hides nothing by itself
 AT_ONCE = 1 << 12  # patches
 
@@ -32,13 +33,15 @@ HIDDEN, SEEN, ASK = 0, 1, 2  # what the regions alone tell of a pair
 
 @jit
 def judge(one: Any, two: Any, rows: Any, columns: Any, starts: Any, solid: Any, exact: float, out: Any) -> None:
-    """What regions tell of pairs: SEEN if all connections miss all of them, HIDDEN if all go through one that is
-    ``solid`` (k,), else ASK.
+    """Write what the regions tell of each pair into out (p,): SEEN, HIDDEN, or ASK, which means that rays are needed.
 
-    one, two: (n, m, 2), see Bodies.reach, of the ends ``rows`` and ``columns``; starts: (k + 1,), region b has the
-    planes starts[b] to starts[b + 1].  At t between the ends the least distance from a plane is (1 - t) a + t b
-    exactly, and so is the most.  A region hides only ends that are both outside of it: each in front of one of its
-    planes, ``exact`` aside.
+    SEEN: all lines between the two ends miss all regions.  HIDDEN: all lines go through one region that is ``solid``.
+    one, two: (n, m, 2), Bodies.reach of the ends with the numbers ``rows`` and ``columns`` (p,).  starts: (k + 1,),
+    region b has the planes starts[b] up to starts[b + 1].  solid: (k,).
+
+    The points at a share t of all lines have, from a plane, distances between (1 - t) a + t b with the least distances
+    a, b of the two ends, and the same with the largest ones.  A region hides only ends that are both outside of it:
+    each reaches in front of one of its planes, and not behind it by more than ``exact``.
     """
     for row in range(len(rows)):
         i, j = rows[row], columns[row]
@@ -63,7 +66,7 @@ def judge(one: Any, two: Any, rows: Any, columns: Any, starts: Any, solid: Any, 
 
 @jit
 def _behind(a: float, b: float, enter: float, leave: float) -> tuple[float, float]:
-    """Where between enter and leave (1 - t) a + t b is at most 0."""
+    """Return the part of the interval of t from ``enter`` to ``leave`` in which (1 - t) a + t b is at most 0."""
     if a > 0.0:
         return (max(enter, a / (a - b)), leave) if b < 0.0 else (1.0, 0.0)
     return (enter, min(leave, a / (a - b))) if b > 0.0 else (enter, leave)
@@ -83,7 +86,7 @@ class Bodies:
     exact: float
 
     def reach(self, corners: Float) -> NDArray[np.float32]:
-        """How far in front of each plane what has these corners (n, c, 3) is: least and most, (n, m, 2)."""
+        """Return the least and the largest distance of corners (n, c, 3) from each plane: (n, m, 2), > 0 in front."""
         result = np.empty((len(corners), len(self.planes), 2), np.float32)
         for first in range(0, len(corners), AT_ONCE):
             away = corners[first : first + AT_ONCE] @ self.planes[:, :3].T - self.planes[:, 3]
@@ -93,26 +96,26 @@ class Bodies:
 
 
 def bodies_of(scene: Scene) -> Bodies | None:
-    """The regions of a scene; None if they are too many to be of use.
+    """Return the regions of a scene; None if they are too many to be of use.
 
     Polygons that have the whole scene on their front side are its shell, which blocks nothing.  The others hang
     together by common corners; around each such group there is the box along its largest polygon, and if the group is
     convex, the planes of its polygons.
     """
-    if len(scene.rings) > MOST_POLYGONS:
+    if len(scene.polygons) > MOST_POLYGONS:
         return None
-    points, size = np.concatenate(scene.rings), scene.size
-    inner = [ring for ring in scene.rings if ((points - ring[0]) @ normal_of(ring)).min() < -GAP * size]
+    points, size = np.concatenate(scene.polygons), scene.size
+    inner = [polygon for polygon in scene.polygons if ((points - polygon[0]) @ normal_of(polygon)).min() < -GAP * size]
     groups = _connected(inner, THIN * size)
     if len(groups) > MOST_BODIES:
         return None
     planes, starts, solid = [np.zeros((0, 4))], [0], []
-    for rings in groups:
-        normals, faces = _box_normals(rings), surface_of(rings, EXACT * size)
+    for polygons in groups:
+        normals, faces = _box_normals(polygons), surface_of(polygons, EXACT * size)
         convex = faces is not None and len(normals) + len(faces) <= MOST_PLANES
         if faces is not None and convex:
             normals = np.concatenate([normals, faces])
-        inside = np.concatenate(rings) @ normals.T
+        inside = np.concatenate(polygons) @ normals.T
         thin = float(np.ptp(inside, axis=0).min()) < THIN * size
         planes.append(np.c_[normals, inside.max(axis=0) + (GAP * size if thin else 0.0)])
         starts.append(starts[-1] + len(normals))
@@ -120,32 +123,32 @@ def bodies_of(scene: Scene) -> Bodies | None:
     return Bodies(np.concatenate(planes), np.array(starts), np.array(solid, np.bool_), EXACT * size)
 
 
-def _connected(rings: list[Float], tolerance: float) -> list[list[Float]]:
-    """Polygons that have corners in common."""
+def _connected(polygons: list[Float], tolerance: float) -> list[list[Float]]:
+    """Group polygons that have corners in common, at once or through others."""
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components
 
-    if not rings:
+    if not polygons:
         return []
-    owner = np.repeat(np.arange(len(rings)), [len(ring) for ring in rings])
-    corner = _numbered(np.concatenate(rings), tolerance)
-    n = len(rings)
+    owner = np.repeat(np.arange(len(polygons)), [len(polygon) for polygon in polygons])
+    corner = _numbered(np.concatenate(polygons), tolerance)
+    n = len(polygons)
     graph = coo_matrix((np.ones(len(owner)), (owner, n + corner)), shape=(n + len(corner),) * 2)
     _, label = connected_components(graph, directed=False)
     groups: dict[int, list[Float]] = {}
-    for ring, number in zip(rings, label[:n].tolist(), strict=True):
-        groups.setdefault(number, []).append(ring)
+    for polygon, number in zip(polygons, label[:n].tolist(), strict=True):
+        groups.setdefault(number, []).append(polygon)
     return list(groups.values())
 
 
 def _numbered(points: Float, tolerance: float) -> Int:
-    """(n,): a number for each point, the same where points are rounded to the same place."""
+    """Return a number for each point (n, 3): the same for points that are rounded to the same place."""
     return np.unique(np.round(points / tolerance), axis=0, return_inverse=True)[1].ravel()
 
 
-def _box_normals(rings: list[Float]) -> Float:
-    """The six normals of a box along the largest polygon's normal and longest edge."""
-    largest = max(rings, key=area_of)
+def _box_normals(polygons: list[Float]) -> Float:
+    """Return the six normals (6, 3) of a box along the largest polygon's normal and longest edge."""
+    largest = max(polygons, key=area_of)
     edges = np.roll(largest, -1, axis=0) - largest
     x = edges[np.argmax(np.linalg.norm(edges, axis=1))]
     x = x / np.linalg.norm(x)
@@ -154,27 +157,28 @@ def _box_normals(rings: list[Float]) -> Float:
     return np.concatenate([axes, -axes])
 
 
-def surface_of(rings: list[Float], tolerance: float) -> Float | None:
-    """The normals (k, 3) of a convex body, if polygons are proven to be its whole surface but for at most one flat
-    hole; else None.
+def surface_of(polygons: list[Float], tolerance: float) -> Float | None:
+    """Return the normals (k, 3) of a convex body if polygons are proven to be its surface, else None.
+
+    One flat hole is allowed, as under a crate that stands on the floor.
 
     The proof: each edge belongs to two polygons that run along it in opposite directions, or to the one polygon that
     would fill the hole; and all corners are behind all polygons.  Then the polygons lie on the hull of the corners with
     their fronts outwards, and since they have no border there, they cover it.  What goes through the body crosses its
     surface twice, at most once of it in the hole.  (A body without thickness proves nothing: see THIN.)
     """
-    corners = np.concatenate(rings)
-    number = np.split(_numbered(corners, tolerance), np.cumsum([len(ring) for ring in rings])[:-1])
-    edges = [edge for ring in number for edge in zip(ring.tolist(), np.roll(ring, -1).tolist(), strict=True)]
-    there = set(edges)
-    if len(there) < len(edges):
+    corners = np.concatenate(polygons)
+    number = np.split(_numbered(corners, tolerance), np.cumsum([len(polygon) for polygon in polygons])[:-1])
+    edges = [edge for polygon in number for edge in zip(polygon.tolist(), np.roll(polygon, -1).tolist(), strict=True)]
+    known = set(edges)
+    if len(known) < len(edges):
         return None
-    border = [(b, a) for a, b in edges if (b, a) not in there]
+    border = [(b, a) for a, b in edges if (b, a) not in known]
     hole = _loop(border)
     if len(hole) < len(border):
         return None
     where = dict(zip(np.concatenate(number).tolist(), corners, strict=True))
-    faces = [*rings, np.array([where[k] for k in hole])] if hole else rings
+    faces = [*polygons, np.array([where[k] for k in hole])] if hole else polygons
     normals = np.array([normal_of(face) for face in faces])
     at = np.array([(face @ normal).min() for face, normal in zip(faces, normals, strict=True)])
     if not normals.any(axis=1).all() or (corners @ normals.T - at).max() > tolerance:
@@ -183,9 +187,9 @@ def surface_of(rings: list[Float], tolerance: float) -> Float | None:
 
 
 def _loop(edges: list[tuple[int, int]]) -> list[int]:
-    """The corners that follow each other along edges from the first one on, if this comes back to the beginning."""
+    """Return the corners along edges (pairs of corners), from the first on, if they form one closed loop, else []."""
     after = dict(edges)
-    way = [edges[0][0]] if edges else []
-    while len(way) < len(after) and (following := after.get(way[-1])) is not None:
-        way.append(following)
-    return way if way and after.get(way[-1]) == way[0] and len(set(way)) == len(way) else []
+    loop = [edges[0][0]] if edges else []
+    while len(loop) < len(after) and (following := after.get(loop[-1])) is not None:
+        loop.append(following)
+    return loop if loop and after.get(loop[-1]) == loop[0] and len(set(loop)) == len(loop) else []

@@ -20,8 +20,8 @@ DAMAGED = (OSError, EOFError, ValueError, KeyError, TypeError, AttributeError, z
 
 
 def mark_of(patches: Patches, how: str) -> str:
-    """A mark of what form factors depend on."""
-    content = patches.rings.tobytes() + how.encode() + repr([ring.tolist() for ring in patches.scene.rings]).encode()
+    """Return a hash of all that form factors depend on: the patches, the scene, and ``how`` they are found."""
+    content = patches.corners.tobytes() + how.encode() + repr([p.tolist() for p in patches.scene.polygons]).encode()
     return hashlib.sha256(content).hexdigest()
 
 
@@ -33,6 +33,7 @@ class Checkpoint:
         self.mark = mark_of(patches, how) if path else ""
 
     def save(self, **arrays: NDArray[Any]) -> None:
+        """Write the arrays, under their names, in place of what the file holds."""
         named: dict[str, Any] = {"mark": self.mark, **arrays}
 
         def write(name: str) -> None:
@@ -43,16 +44,19 @@ class Checkpoint:
             write_atomically(self.path, write)
 
     def load(self) -> dict[str, NDArray[Any]]:
-        """The arrays; none if there is no file, or if it is of something else.  Raises SceneError for another file."""
+        """Return the arrays; none if there is no file, or if it belongs to other patches.
+
+        Raises SceneError for a file that is no checkpoint.
+        """
         if not self.path or not os.path.exists(self.path):
             return {}
         try:
-            with np.load(self.path) as kept:
-                return {name: kept[name] for name in kept.files} if str(kept["mark"]) == self.mark else {}
+            with np.load(self.path) as stored:
+                return {name: stored[name] for name in stored.files} if str(stored["mark"]) == self.mark else {}
         except DAMAGED as error:
             raise SceneError(f"{self.path} is no checkpoint: name another file, or remove it") from error
 
     def remove(self) -> None:
-        """When the work is done."""
+        """Remove the file, when the work is done, unless it belongs to other patches."""
         if self.path and self.load():
             os.remove(self.path)

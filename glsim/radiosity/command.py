@@ -19,6 +19,7 @@ DATA = (".glb", ".ply", ".npz")  # what is no picture
 
 
 def add(commands: Any) -> None:
+    """Add the command's parser to those of ``glsim``."""
     text = "solve a scene's radiosity and bake it into vertex colours"
     p = commands.add_parser("radiosity", help=text, description=text[0].upper() + text[1:] + ".")
     p.add_argument(
@@ -69,7 +70,7 @@ def _add_picture(p: Any) -> None:
 
 
 def _views(text: str) -> list[int] | None:
-    """Numbers of cameras; None: all."""
+    """Return the numbers of cameras in an option's text; None: all."""
     words = text.split(",")
     if text != "all" and not all(word.isdigit() and int(word) < 1000 for word in words):
         raise argparse.ArgumentTypeError(f"numbers of cameras from 0 on, or all, are needed, not {text!r}")
@@ -77,6 +78,7 @@ def _views(text: str) -> list[int] | None:
 
 
 def _radiosity(options: argparse.Namespace) -> int:
+    """Run the command; return its exit status."""
     if isinstance(options.json, str) and not options.json.endswith(".json"):
         if options.what:
             raise ValueError(f"--json {options.json}: the report's name must end in .json")
@@ -110,6 +112,7 @@ def _radiosity(options: argparse.Namespace) -> int:
 
 
 def _list(options: argparse.Namespace) -> int:
+    """Print the built-in scenes, as lines or as JSON."""
     from glsim.radiosity.scenes import BUILT_IN
 
     about = {name: entry.about for name, entry in BUILT_IN.items()}
@@ -119,14 +122,15 @@ def _list(options: argparse.Namespace) -> int:
 
 
 def _solved(options: argparse.Namespace) -> Radiosity:
+    """Solve with these options, under progress bars."""
     from rich.console import Console
     from rich.progress import Progress
 
     from glsim.radiosity.solution import solve
 
-    kept = options.resume
-    if not kept and not options.scheduler:
-        kept = str(Path(options.output[0]).with_suffix(".unfinished.npz"))
+    checkpoint = options.resume
+    if not checkpoint and not options.scheduler:
+        checkpoint = str(Path(options.output[0]).with_suffix(".unfinished.npz"))
     stages: dict[str, Any] = {}
     with Progress(console=Console(stderr=True), transient=True) as bars:
 
@@ -140,19 +144,19 @@ def _solved(options: argparse.Namespace) -> Radiosity:
             result = solve(
                 options.what, options.patches, method=options.method, solver=options.solver,
                 tolerance=options.tolerance, vertices=options.vertices, adaptive=options.adaptive,
-                accuracy=options.accuracy, flip=options.flip, close=options.close, checkpoint=kept,
+                accuracy=options.accuracy, flip=options.flip, close=options.close, checkpoint=checkpoint,
                 scheduler=options.scheduler, progress=progress,
                 on_step=lambda step: bars.update(task, description=f"iteration {step.iteration}, {step.residual:.1e}"),
             )  # fmt: skip
         except KeyboardInterrupt:
-            if kept and Path(kept).exists():
-                print(f"glsim: what is done is in {kept}; the same command goes on with it", file=sys.stderr)
+            if checkpoint and Path(checkpoint).exists():
+                print(f"glsim: what is done is in {checkpoint}; the same command goes on with it", file=sys.stderr)
             raise
     return replace(result, white=options.white, tone=options.tone, gamma=options.gamma)
 
 
 def _written(result: Radiosity, options: argparse.Namespace) -> list[str]:
-    """Write all that was asked for; the names of the files."""
+    """Write all that was asked for, and return the names of the files."""
     views = list(range(len(result.patches.scene.views))) if options.views is None else options.views
     for view in views:
         result.view(view)  # before anything is written
@@ -168,12 +172,14 @@ def _written(result: Radiosity, options: argparse.Namespace) -> list[str]:
 
 
 def _numbered(name: str, view: int, views: list[int]) -> str:
+    """Return a file's name, with the camera's number if it is a picture and there are several."""
     path = Path(name)
     numbered = len(views) > 1 and path.suffix.lower() not in DATA
     return str(path.with_name(f"{path.stem}-{view}{path.suffix}")) if numbered else name
 
 
 def _print(report: dict[str, Any]) -> None:
+    """Print a report as a table."""
     from rich.table import Table
 
     from glsim.radiosity.result import summary

@@ -14,39 +14,46 @@ SLIVER = 1e-3  # of a whole cell's area: smaller pieces are left out
 MANY = 4000  # polygons: of so fine a mesh they are no larger than patches, and nothing is cut
 
 
-def contacts(scene: Scene, normals: Float) -> dict[int, Segments]:
-    """For each polygon the edges of others that lie in it; those of coplanar polygons too: a lamp in a ceiling."""
-    if len(scene.rings) > MANY:
+def contacts(scene: Scene) -> dict[int, Segments]:
+    """Return for each polygon, by its number, the edges of others that lie in it.
+
+    Those are edges of bodies that stand on it, and of coplanar polygons, such as a lamp in a ceiling.  Polygons without
+    such edges are missing.
+    """
+    if len(scene.polygons) > MANY:
         return {}
     tolerance = TOUCHING * scene.size
-    owner = np.repeat(np.arange(len(scene.rings)), [len(ring) for ring in scene.rings])
-    starts = np.concatenate(scene.rings)
-    ends = np.concatenate([np.roll(ring, -1, axis=0) for ring in scene.rings])
-    found: dict[int, Segments] = {}
-    for number, (ring, normal) in enumerate(zip(scene.rings, normals, strict=True)):
-        low, high = ring.min(axis=0) - tolerance, ring.max(axis=0) + tolerance
-        near = (np.abs((starts - ring[0]) @ normal) < tolerance) & (np.abs((ends - ring[0]) @ normal) < tolerance)
+    owner = np.repeat(np.arange(len(scene.polygons)), [len(polygon) for polygon in scene.polygons])
+    starts = np.concatenate(scene.polygons)
+    ends = np.concatenate([np.roll(polygon, -1, axis=0) for polygon in scene.polygons])
+    segments: dict[int, Segments] = {}
+    for number, (polygon, normal) in enumerate(zip(scene.polygons, scene.normals, strict=True)):
+        low, high = polygon.min(axis=0) - tolerance, polygon.max(axis=0) + tolerance
+        near = (np.abs((starts - polygon[0]) @ normal) < tolerance) & (np.abs((ends - polygon[0]) @ normal) < tolerance)
         near &= (owner != number) & (np.maximum(starts, ends) >= low).all(axis=1)
         near &= (np.minimum(starts, ends) <= high).all(axis=1)
         if near.any():
-            found[number] = [(starts[k], ends[k]) for k in np.flatnonzero(near)]
-    return found
+            segments[number] = [(starts[k], ends[k]) for k in np.flatnonzero(near)]
+    return segments
 
 
 def near_segments(cells: Float, segments: Segments, normal: Float, tolerance: float) -> NDArray[np.bool_]:
-    """Which of the cells (k, 4, 3) lie on both sides of a segment's line and beside the segment: those may be cut."""
+    """Return which cells (k, 4, 3) may be cut by a segment: (k,).
+
+    They lie on both sides of its line, and not beyond its ends.
+    """
     result = np.zeros(len(cells), bool)
     for a, b in segments:
         along, across = b - a, np.cross(normal, b - a)
         length = float(np.linalg.norm(along))
-        side, way = (cells - a) @ across / length, (cells - a) @ along / length
-        beside = (way.max(axis=1) > tolerance) & (way.min(axis=1) < length - tolerance)
+        side, ahead = (cells - a) @ across / length, (cells - a) @ along / length
+        beside = (ahead.max(axis=1) > tolerance) & (ahead.min(axis=1) < length - tolerance)
         result |= (side.min(axis=1) < -tolerance) & (side.max(axis=1) > tolerance) & beside
     return result
 
 
 def cut(cell: Float, segments: Segments, normal: Float, scale: float) -> list[Float]:
-    """The cell cut along the segments that go through it, as convex pieces of at most four corners."""
+    """Cut a cell (k, 3) along the segments that go through it into convex pieces of at most four corners."""
     pieces = [cell]
     for a, b in segments:
         pieces = [part for piece in pieces for part in _halves(piece, a, b, normal, TOUCHING * scale)]
@@ -55,6 +62,7 @@ def cut(cell: Float, segments: Segments, normal: Float, scale: float) -> list[Fl
 
 
 def _halves(piece: Float, a: Float, b: Float, normal: Float, tolerance: float) -> list[Float]:
+    """Cut a piece (k, 3) along the line through a and b, if the segment from a to b goes through it."""
     across = np.cross(normal, b - a)
     sides = (piece - a) @ (across / np.linalg.norm(across))
     if sides.min() > -tolerance or sides.max() < tolerance or not _goes_through(piece, a, b, normal, tolerance):
@@ -63,19 +71,19 @@ def _halves(piece: Float, a: Float, b: Float, normal: Float, tolerance: float) -
 
 
 def _side(piece: Float, sides: Float) -> Float:
-    """Where ``sides`` is positive."""
-    kept = []
+    """Return the part of a piece (k, 3) in which ``sides`` (k,), linear between the corners, is positive."""
+    inside = []
     for k in range(len(piece)):
         a, b = sides[k], sides[(k + 1) % len(piece)]
         if a >= 0.0:
-            kept.append(piece[k])
+            inside.append(piece[k])
         if (a > 0.0 > b) or (a < 0.0 < b):
-            kept.append(piece[k] + a / (a - b) * (piece[(k + 1) % len(piece)] - piece[k]))
-    return np.array(kept)
+            inside.append(piece[k] + a / (a - b) * (piece[(k + 1) % len(piece)] - piece[k]))
+    return np.array(inside)
 
 
 def _goes_through(piece: Float, a: Float, b: Float, normal: Float, tolerance: float) -> bool:
-    """Whether a segment is inside of a convex polygon for more than a point."""
+    """Return whether a segment is inside a convex polygon for more than a point."""
     enter, leave = 0.0, 1.0
     for p, q in zip(piece, np.roll(piece, -1, axis=0), strict=True):
         inward = np.cross(normal, q - p)
@@ -94,9 +102,10 @@ def _goes_through(piece: Float, a: Float, b: Float, normal: Float, tolerance: fl
     return (leave - enter) * float(np.linalg.norm(b - a)) > tolerance
 
 
-def _at_most_four(ring: Float) -> list[Float]:
+def _at_most_four(polygon: Float) -> list[Float]:
+    """Cut a convex polygon into pieces of at most four corners."""
     parts = []
-    while len(ring) > 4:
-        parts.append(ring[:4])
-        ring = np.concatenate([ring[:1], ring[3:]])
-    return [*parts, ring] if len(ring) > 2 else parts
+    while len(polygon) > 4:
+        parts.append(polygon[:4])
+        polygon = np.concatenate([polygon[:1], polygon[3:]])
+    return [*parts, polygon] if len(polygon) > 2 else parts

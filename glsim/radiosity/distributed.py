@@ -14,18 +14,18 @@ from collections.abc import Sequence
 from functools import cached_property
 from importlib import import_module
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.checkpoint import mark_of
-from glsim.radiosity.formfactors import BLOCK, Progress, irradiance, next_rows, upper_rows
+from glsim.radiosity.formfactors import BLOCK, irradiance, next_rows, upper_rows
 from glsim.radiosity.patches import Patches
+from glsim.radiosity.progress import Progress
+from glsim.radiosity.rays import Rays
 from glsim.radiosity.scene import Scene, SceneError
-
-if TYPE_CHECKING:
-    from glsim.radiosity.visibility import Visibility
+from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
@@ -35,18 +35,22 @@ FEWEST = 32  # blocks, so that all workers have something to do
 
 
 def _dask() -> Any:
+    """Return the package distributed, imported only when it is needed."""
     return import_module("distributed")
 
 
 def connected(address: str) -> Any:
-    """A client of the scheduler at an address, "tcp://host:8786".  Raises SceneError if there is none, or no worker."""
+    """Return a client of the scheduler at an address, "tcp://host:8786".
+
+    Raises SceneError if no scheduler answers, or if it has no worker.
+    """
     if find_spec("distributed") is None:
         raise SceneError("--scheduler needs the package distributed: pip install glsim[dask]")
-    found = re.fullmatch(r"(?:tcp://)?([^/:\s]+):(\d+)", address)
-    if not found:
+    parts = re.fullmatch(r"(?:tcp://)?([^/:\s]+):(\d+)", address)
+    if not parts:
         raise SceneError(f"--scheduler: an address such as tcp://HOST:8786 is needed, not {address!r}")
     try:
-        socket.create_connection((found[1], int(found[2])), timeout=WAIT).close()  # before dask waits and complains
+        socket.create_connection((parts[1], int(parts[2])), timeout=WAIT).close()  # before dask waits and complains
         client = _dask().Client(address, timeout=WAIT, set_as_default=False)
     except (OSError, OverflowError, ValueError) as error:
         raise SceneError(
@@ -62,28 +66,32 @@ def connected(address: str) -> Any:
 
 
 class Blocks:
-    """Form factors in blocks of rows on the workers; see solvers.Factors for what a solver asks of them.
+    """Form factors in blocks of rows on the workers; a kind of factors.Factors.
 
     starts: (k + 1,), block b has the rows starts[b] to starts[b + 1].  seconds: by stage.
     """
 
     method = "contour"
     asymmetry = 0.0  # each pair is there once
+    matrix = None  # not on this machine
 
     def __init__(
-        self, client: Any, patches: Patches, progress: Progress, name: str | None = None, threads: int | None = None
+        self, client: Any, patches: Patches, progress: Progress, name: str | None = None, rays: Rays | None = None
     ) -> None:
-        """name: under which the blocks stay on the cluster, and go on being made, if this program is interrupted; one
-        that asks for the same patches under any name finds them.  threads: for rays on this machine.  Raises SceneError
-        if they would not fit."""
-        self.client, self.patches, self.threads = client, patches, threads
+        """Begin the form factors of patches on the workers of a client, and wait for them.
+
+        name: under which the blocks stay on the cluster, and go on being made, if this program is interrupted; one that
+        asks for the same patches under any name finds them.  rays: on this machine, of the patches' scene.  Raises
+        SceneError if the blocks would not fit into the workers' memory.
+        """
+        self.client, self.patches, self.rays = client, patches, rays
         start = time.perf_counter()
         self._check_memory()
         self.starts = _starts(len(patches))
         mark = mark_of(patches, self.method)
-        self.there = client.submit(_itself, patches)  # a task, not data: so it can be made again
+        self.scattered = client.submit(_itself, patches)  # a task, not data: so it can be made again
         self.blocks = [
-            client.submit(_block, self.there, low, high, key=f"glsim-{mark}-{low}") for low, high in self._bounds()
+            client.submit(_block, self.scattered, low, high, key=f"glsim-{mark}-{low}") for low, high in self._bounds()
         ]
         if name:
             self.keep(name)
@@ -93,18 +101,21 @@ class Blocks:
         self.seconds = {"form factors": time.perf_counter() - start}
 
     def _bounds(self) -> list[tuple[int, int]]:
+        """Return the first row of each block, and the row after its last."""
         return list(zip(self.starts[:-1], self.starts[1:], strict=True))
 
     def _check_memory(self) -> None:
+        """Raise SceneError if the blocks would take more than half of the workers' memory."""
         needed = 2 * len(self.patches) ** 2
-        there = sum(worker["memory_limit"] or 0 for worker in self.client.scheduler_info(-1)["workers"].values())
-        if 0 < there < 2 * needed:
+        memory = sum(worker["memory_limit"] or 0 for worker in self.client.scheduler_info(-1)["workers"].values())
+        if 0 < memory < 2 * needed:
             raise SceneError(
                 f"{len(self.patches)} patches need {needed / 2**30:.1f} GiB for their form factors, and the workers"
-                f" have {there / 2**30:.1f} GiB, half of it for that: take fewer patches (--patches) or more workers"
+                f" have {memory / 2**30:.1f} GiB, half of it for that: take fewer patches (--patches) or more workers"
             )
 
     def _wait(self, progress: Progress) -> None:
+        """Wait for all blocks, and tell how many pairs are done."""
         n, done = len(self.patches), 0
         pairs = {
             block.key: (high - low) * (2 * n - low - high - 1) // 2
@@ -117,17 +128,17 @@ class Blocks:
             progress("form factors", done, n * (n - 1) // 2)
 
     def _each(self, function: Any, arguments: Sequence[tuple[Any, ...]]) -> list[Any]:
-        """What the function returns for each of the arguments."""
+        """Call the function on the workers with each of the arguments, and return the results in order."""
         try:
             return list(self.client.gather([self.client.submit(function, *some, pure=False) for some in arguments]))
         except Exception as error:
             raise _failure(error) from error
 
     def times(self, B: Float) -> Float:
-        """S B for B (n, 3)."""
-        there = self.client.submit(_itself, B)
+        """Return S B (n, 3) for B (n, 3)."""
+        radiosity = self.client.submit(_itself, B)
         lows = self.starts[:-1]
-        parts = self._each(_product, [(block, there, low) for block, low in zip(self.blocks, lows, strict=True)])
+        parts = self._each(_product, [(block, radiosity, low) for block, low in zip(self.blocks, lows, strict=True)])
         result = np.zeros(B.shape)
         for low, part in zip(lows, parts, strict=True):
             result[low:] += part
@@ -143,17 +154,15 @@ class Blocks:
 
     @cached_property
     def visibility(self) -> Visibility:
-        """Rays on this machine."""
-        from glsim.radiosity.visibility import Visibility
-
-        return Visibility(self.patches.scene, self.threads)
+        """Visibility by rays on this machine."""
+        return Visibility(self.rays or Rays(self.patches.scene))
 
     def keep(self, checkpoint: str) -> None:
         """Leave the blocks on the workers under a name."""
         self.client.publish_dataset(self.blocks, name=checkpoint, override=True)
 
     def row(self, i: int) -> Float:
-        """F[i, :], (n,)."""
+        """Return F[i, :], (n,)."""
         above = [
             (block, i - low, low <= i < high)
             for block, (low, high) in zip(self.blocks, self._bounds(), strict=True)
@@ -161,16 +170,17 @@ class Blocks:
         ]
         return np.asarray(np.concatenate(self._each(_row, above)) / self.patches.area[i], np.float64)
 
-    def at_points(self, points: Float, ways: Float, patch: Int, B: Float) -> Float:
-        """Irradiance (k, 3) at points with normals ``ways``."""
-        there = self.client.submit(_itself, B)
+    def at_points(self, points: Float, normals: Float, patch: Int, B: Float) -> Float:
+        """Return the irradiance (k, 3) at points (k, 3) with unit normals (k, 3), a part of it from each worker."""
+        radiosity = self.client.submit(_itself, B)
         parts = np.array_split(np.arange(len(points)), max(1, len(self.client.nthreads())))
         return np.concatenate(
-            self._each(_irradiance, [(self.there, points[part], ways[part], there) for part in parts])
+            self._each(_irradiance, [(self.scattered, points[part], normals[part], radiosity) for part in parts])
         )
 
 
 def _starts(n: int) -> list[int]:
+    """Return where blocks of rows begin, and n, so that each has about as many pairs and there are at least FEWEST."""
     size = int(np.clip(n * (n - 1) // 2 // FEWEST, 1, BLOCK))
     starts = [0]
     while starts[-1] < n:
@@ -179,6 +189,7 @@ def _starts(n: int) -> list[int]:
 
 
 def _failure(error: BaseException) -> BaseException:
+    """Return what to raise for an error on a worker: a sentence where it is known."""
     if isinstance(error, _dask().KilledWorker):
         return SceneError("workers die again and again over the same block: have they memory enough?")
     if isinstance(error, ModuleNotFoundError):
@@ -193,10 +204,12 @@ _last: dict[str, Any] = {}
 
 
 def _itself(what: Any) -> Any:
+    """Return what comes in: a task, which Dask can repeat when a worker dies, unlike data."""
     return what
 
 
 def _block(patches: Patches, first: int, last: int) -> Rows:
+    """Return S of the patches ``first`` up to ``last`` with all from ``first`` on: (last - first, n - first)."""
     out = np.zeros((last - first, len(patches)), np.float32)
     with _one_at_a_time:
         upper_rows(patches, _visibility(patches.scene), first, last, False, out, {"form factors": 0, "visibility": 0})
@@ -204,7 +217,10 @@ def _block(patches: Patches, first: int, last: int) -> Rows:
 
 
 def _product(block: Rows, B: Float, first: int) -> Float:
-    """What a block adds to S B, from row ``first`` on: to its own rows, and by symmetry to those of its columns."""
+    """Return what a block adds to S B from row ``first`` on, (n - first, 3).
+
+    Its rows count for its own patches and, since S is symmetric, its columns for all patches of higher number.
+    """
     S = block.astype(np.float64)
     result = S.T @ B[first : first + len(S)]
     result[: len(S)] += S @ B[first:]
@@ -212,24 +228,23 @@ def _product(block: Rows, B: Float, first: int) -> Float:
 
 
 def _row(block: Rows, at: int, own: bool) -> Rows:
-    """The part of row ``at`` of S that the block has; of a row that is not its ``own``, this is a column."""
+    """Return the part of row ``at`` of S that a block has: of one of its ``own`` rows, or one of its columns."""
     return np.concatenate([block[:at, at], block[at, at:]]) if own else block[:, at]
 
 
-def _irradiance(patches: Patches, points: Float, ways: Float, B: Float) -> Float:
+def _irradiance(patches: Patches, points: Float, normals: Float, B: Float) -> Float:
+    """Return formfactors.irradiance, with the rays of this worker."""
     with _one_at_a_time:
-        return irradiance(patches, _visibility(patches.scene), points, ways, B)
+        return irradiance(patches, _visibility(patches.scene), points, normals, B)
 
 
 def _visibility(scene: Scene) -> Visibility:
-    """The one of the scene that this worker asked for last, with as many threads as it has."""
+    """Return the visibility of a scene, with as many threads as this worker has, remembered for the last scene."""
     import numba
-
-    from glsim.radiosity.visibility import Visibility
 
     threads = _dask().get_worker().state.nthreads
     numba.set_num_threads(min(threads, numba.get_num_threads()))
     if _last.get("scene") is not scene:
-        _last.update(scene=scene, visibility=Visibility(scene, threads))
-    found: Visibility = _last["visibility"]
-    return found
+        _last.update(scene=scene, visibility=Visibility(Rays(scene, threads)))
+    visibility: Visibility = _last["visibility"]
+    return visibility

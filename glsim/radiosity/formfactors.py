@@ -6,43 +6,32 @@ fraction of what leaves patch i that arrives at j; in a closed scene each row su
 
 from __future__ import annotations
 
-import os
 import time
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.radiosity import matrix, pairs
 from glsim.radiosity.checkpoint import Checkpoint
 from glsim.radiosity.patches import Patches
-from glsim.radiosity.scene import SceneError
-
-if TYPE_CHECKING:
-    from glsim.radiosity.visibility import Visibility
+from glsim.radiosity.progress import Progress
+from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
-Progress = Callable[[str, int, int], object]  # stage, done, of
 BLOCK = 1 << 21  # pairs at a time
 NEGLIGIBLE = 0.02  # of what a patch sends to a point in the mean: less is left out
 DIM = 3e-4  # of what all send to a point in the mean: for less, few rays are enough
-METHODS = {
-    "contour": "each polygon whole: contour integrals near, Lambert's formula far, visibility by rays",
-    "analytic": "the same without visibility: nothing blocks anything",
-    "point": "textbook: from centre to centre, cos cos A / (pi r^2), one ray",
-    "disc": "from centre to disc, cos cos A / (pi r^2 + A), one ray",
-    "monte-carlo": "rays between random points of both patches, with standard errors",
-    "hemicube": "the scene as each patch sees it, drawn on half a cube (Cohen and Greenberg 1985)",
-    "hierarchical": "links between levels of detail: for tens of thousands of patches",
-}
 
 
 @dataclass(frozen=True, repr=False)
 class FormFactors:
-    """S: (n, n) float32, symmetric.  visibility: rays in the scene, for what is asked later.  seconds: by stage.
-    error: (n, n) standard errors of S, for "monte-carlo"."""
+    """The matrix of form factors of n patches: a kind of factors.Factors.
+
+    S: (n, n) float32, S_ij = A_i F_ij, symmetric; method: a name of methods.METHODS; seconds: by stage; error: (n, n),
+    the standard errors of S, of "monte-carlo" alone.
+    """
 
     patches: Patches
     visibility: Visibility
@@ -55,13 +44,18 @@ class FormFactors:
         return f"<FormFactors of {self.patches.scene.name}: {len(self.S)} x {len(self.S)}, {self.method}>"
 
     def row(self, i: int) -> Float:
-        """F[i, :], (n,)."""
+        """Return F[i, :], (n,): the shares of patch i's light that arrive at each patch."""
         return np.asarray(self.S[i] / self.patches.area[i], np.float64)
 
     @property
     def F(self) -> Float:
-        """The whole matrix, (n, n) float64: for small scenes and lessons."""
+        """F as a matrix (n, n) float64: for small scenes and lessons."""
         return np.asarray(self.S / self.patches.area[:, None], np.float64)
+
+    @property
+    def matrix(self) -> NDArray[np.float32]:
+        """S, see factors.Factors."""
+        return self.S
 
     @property
     def row_sums(self) -> Float:
@@ -69,16 +63,14 @@ class FormFactors:
         return np.asarray(self.S.sum(axis=1, dtype=np.float64) / self.patches.area)
 
     def times(self, B: Float) -> Float:
-        """S B for B (n, 3), summed in float64."""
-        from glsim.radiosity.sweep import product
-
+        """Return S B (n, 3) for B (n, 3), summed in float64."""
         result = np.empty((len(self.S), 3))
-        product(self.S, np.ascontiguousarray(B), result)
+        matrix.product(self.S, np.ascontiguousarray(B), result)
         return result
 
-    def at_points(self, points: Float, ways: Float, patch: Int, B: Float) -> Float:
-        """Irradiance (k, 3) at points with normals ``ways``, from all patches, whichever patch they are on."""
-        return irradiance(self.patches, self.visibility, points, ways, B)
+    def at_points(self, points: Float, normals: Float, patch: Int, B: Float) -> Float:
+        """Return the irradiance (k, 3) at points (k, 3) with unit normals (k, 3), from all patches."""
+        return irradiance(self.patches, self.visibility, points, normals, B)
 
     @property
     def asymmetry(self) -> float:
@@ -89,12 +81,15 @@ class FormFactors:
         )
 
     def keep(self, checkpoint: str) -> None:
-        """Save them where the next ``compute`` looks."""
+        """Save the matrix in the file ``checkpoint``, in which the next ``compute`` looks."""
         if self.method in ("contour", "analytic"):
             Checkpoint(checkpoint, self.patches, f"{self.method} False").save(rows=np.triu(self.S))
 
     def closed(self, rounds: int = 50) -> FormFactors:
-        """Scaled symmetrically so that each row sums to 1: for scenes that are closed.  S_ij becomes c_i c_j S_ij."""
+        """Return form factors scaled so that each row sums to 1, for scenes that are closed.
+
+        S_ij becomes c_i c_j S_ij, which stays symmetric; the factors c are found by iteration.
+        """
         area, S = self.patches.area, self.S.astype(np.float64)
         c = np.ones(len(area))
         for _ in range(rounds):
@@ -102,114 +97,66 @@ class FormFactors:
         return replace(self, S=(c[:, None] * S * c).astype(np.float32), error=None)
 
 
-def irradiance(patches: Patches, visibility: Visibility, points: Float, ways: Float, B: Float) -> Float:
-    """Irradiance (k, 3) at points with normals ``ways`` from patches of radiosity B."""
-    from glsim.radiosity import kernels
+def irradiance(patches: Patches, visibility: Visibility, points: Float, normals: Float, B: Float) -> Float:
+    """Return the irradiance (k, 3) at points (k, 3) with unit normals (k, 3), from patches of radiosity B (n, 3).
 
+    Form factors along which hardly any light comes are left out (NEGLIGIBLE), others get few rays (DIM).
+    """
     p = patches
     bright = brightness(p, B)
     least = NEGLIGIBLE / len(p) / bright
     factors = np.zeros((len(points), len(p)))
-    kernels.gather(points, ways, p.rings, p.counts, p.normal, p.center, p.size, least, factors)
+    pairs.point_factors(points, normals, p.corners, p.counts, p.normal, p.center, p.size, least, factors)
     rows, columns = np.nonzero(factors)
     dim = factors[rows, columns] < DIM / bright[columns]
-    factors[rows, columns] *= visibility.from_points(points, ways, p, rows, columns, dim)
+    factors[rows, columns] *= visibility.from_points(points, normals, p, rows, columns, dim)
     return np.asarray(factors @ B)
 
 
 def brightness(patches: Patches, B: Float) -> Float:
-    """(n,): the radiosity of patches, as a part of the mean of all."""
+    """Return the brightest channel of B (n, 3), relative to its mean over the area: (n,), more than 0."""
     most = B.max(axis=1)
     return np.asarray(np.maximum(most / max(float(np.average(most, weights=patches.area)), 1e-300), 1e-300))
 
 
-def memory_needed(n: int) -> int:
-    """Bytes for the matrix."""
-    return 4 * n * n
+def by_pairs(
+    patches: Patches,
+    visibility: Visibility | None,
+    method: str,
+    exact: bool,
+    progress: Progress,
+    checkpoint: str | None,
+) -> tuple[NDArray[np.float32], dict[str, float]]:
+    """Find S (n, n) in blocks of rows, and the seconds of each stage.
 
-
-def compute(
-    patches: Patches, method: str = "contour", *, exact: bool = False, threads: int | None = None,
-    progress: Progress | None = None, seed: int = 0, samples: int = 64, limit: int | None = None,
-    checkpoint: str | None = None,
-) -> FormFactors:  # fmt: skip
-    """All form factors.
-
-    method: one of METHODS.  exact: contour integrals for all pairs, not only near ones.  samples, seed: of
-    "monte-carlo".  threads: for rays; the result does not depend on it.  limit: bytes that the matrix may take, by
-    default half of the machine's memory.  checkpoint: a file in which finished rows are kept when the work is
-    interrupted, and from which they are taken if it is there.  Raises SceneError for another method, or if the matrix
-    would not fit.
+    For each pair first what would arrive if nothing were in between, then the share that is not blocked; without
+    ``visibility`` all of it.  The other arguments as for methods.compute.
     """
-    if method not in METHODS or method == "hierarchical":
-        matrices = ", ".join(name for name in METHODS if name != "hierarchical")
-        raise SceneError(f"the methods for form factors are {matrices}, not {method!r}")
-    n = len(patches)
-    allowed = limit if limit is not None else memory_of_machine() // 2
-    if memory_needed(n) > allowed:
-        raise SceneError(
-            f"{n} patches need {memory_needed(n) / 2**30:.1f} GiB for their form factors, and there are"
-            f" {allowed / 2**30:.1f} GiB: take fewer patches (--patches), links (--method hierarchical) or a"
-            " cluster (--scheduler)"
-        )
-    from glsim.radiosity.visibility import Visibility
-
-    tell = progress or (lambda stage, done, of: None)
-    visibility = Visibility(patches.scene, threads)
-    if method in ("contour", "analytic"):
-        return _by_pairs(patches, visibility, method, exact, tell, checkpoint)
-    from glsim.radiosity.hemicube import hemicube
-    from glsim.radiosity.textbook import disc_or_point, monte_carlo
-
-    start = time.perf_counter()
-    error = None
-    if method == "hemicube":
-        S = hemicube(patches, tell)
-    elif method == "monte-carlo":
-        S, error = monte_carlo(patches, visibility, samples, seed, tell)
-    else:
-        S = disc_or_point(patches, visibility, disc=method == "disc", progress=tell)
-    return FormFactors(patches, visibility, S, method, {"form factors": time.perf_counter() - start}, error)
-
-
-def memory_of_machine() -> int:
-    """Bytes of the machine."""
-    try:
-        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    except (ValueError, OSError, AttributeError):
-        return 8 * 2**30
-
-
-def _by_pairs(
-    patches: Patches, visibility: Visibility, method: str, exact: bool, tell: Progress, checkpoint: str | None
-) -> FormFactors:
-    """Blocks of rows: first what would arrive if nothing were in between, then the share that does."""
     n = len(patches)
     S = np.zeros((n, n), np.float32)
     seconds = {"form factors": 0.0, "visibility": 0.0}
-    blocking = visibility if method == "contour" else None
     of = n * (n - 1) // 2
-    kept = Checkpoint(checkpoint, patches, f"{method} {exact}")
-    before = kept.load().get("rows", S[:0])
+    stored = Checkpoint(checkpoint, patches, f"{method} {exact}")
+    before = stored.load().get("rows", S[:0])
     first = len(before)
     S[:first] = before
     try:
         while first < n:
             last = next_rows(n, first)
-            upper_rows(patches, blocking, first, last, exact, S[first:last], seconds)
+            upper_rows(patches, visibility, first, last, exact, S[first:last], seconds)
             first = last
-            tell("form factors", of - (n - first) * (n - first - 1) // 2, of)
+            progress("form factors", of - (n - first) * (n - first - 1) // 2, of)
     except KeyboardInterrupt:
-        kept.save(rows=S[:first])
+        stored.save(rows=S[:first])
         raise
-    kept.remove()
+    stored.remove()
     for k in range(0, n, 1024):  # the lower half is the upper one
         S[k:, k : k + 1024] += np.triu(S[k : k + 1024, k:], 1).T if k else np.triu(S[:1024], 1).T
-    return FormFactors(patches, visibility, S, method, seconds)
+    return S, seconds
 
 
 def next_rows(n: int, first: int, size: int | None = None) -> int:
-    """Where the block of rows that begins at ``first`` ends, of about ``size`` pairs, by default BLOCK."""
+    """Return where the block of rows that begins at ``first`` ends, if it has about ``size`` pairs (default: BLOCK)."""
     return min(n, first + max(1, (size or BLOCK) // (n - first)))
 
 
@@ -217,16 +164,17 @@ def upper_rows(
     patches: Patches, visibility: Visibility | None, first: int, last: int, exact: bool, out: NDArray[np.float32],
     seconds: dict[str, float],
 ) -> None:  # fmt: skip
-    """S of patches first..last with all of higher number, into ``out`` (last - first, n)."""
-    from glsim.radiosity import kernels
+    """Write S of patches ``first`` up to ``last`` with all of higher number into out (last - first, n).
 
+    visibility: None if nothing blocks.  seconds: by stage, gets what this took added.
+    """
     p, start = patches, time.perf_counter()
-    kernels.rows(p.rings, p.counts, p.normal, p.center, p.size, first, last, exact, out)
+    pairs.rows(p.corners, p.counts, p.normal, p.center, p.size, first, last, exact, out)
     middle = time.perf_counter()
     if visibility is not None:
         rows, columns = np.nonzero(out[:, first:])
-        pairs = np.stack([rows + first, columns + first], axis=1)
-        shares = visibility.fractions(p.rings, p.counts, p.normal, pairs)
+        numbers = np.stack([rows + first, columns + first], axis=1)
+        shares = visibility.fractions(p.corners, p.counts, p.normal, numbers)
         out[rows, columns + first] *= shares.astype(np.float32)
     seconds["form factors"] += middle - start
     seconds["visibility"] += time.perf_counter() - middle

@@ -10,8 +10,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.formfactors import Progress
+from glsim import gl
+from glsim.glu.view import gluLookAt
 from glsim.radiosity.patches import Patches
+from glsim.radiosity.progress import Progress
+from glsim.render.context import offscreen
 
 Float = NDArray[np.float64]
 RESOLUTION = 128  # pixels along an edge of the cube
@@ -19,24 +22,25 @@ AT_ONCE = 16  # hemicubes in one picture, above each other
 
 
 def hemicube(patches: Patches, progress: Progress, resolution: int = RESOLUTION) -> NDArray[np.float32]:
-    """S from the rows that hemicubes give, A_i F_ij; of S_ij and S_ji, which differ a little, the mean."""
-    from glsim.render.context import offscreen
+    """Return S (n, n) from hemicubes with ``resolution`` pixels along an edge.
 
+    Each hemicube gives a row A_i F_ij; S_ij and S_ji differ a little, and their mean is taken.
+    """
     n, width = len(patches), 3 * resolution
     weights = delta_form_factors(resolution).ravel()
     S = np.zeros((n, n), np.float32)
     with offscreen(width, AT_ONCE * resolution) as screen:
         scene = _compiled(patches)
         for first in range(0, n, AT_ONCE):
-            there = range(first, min(first + AT_ONCE, n))
+            batch = range(first, min(first + AT_ONCE, n))
             _clear()
-            for place, i in enumerate(there):
+            for place, i in enumerate(batch):
                 _draw(patches, i, resolution, place * resolution, scene)
             seen = _numbers(screen.pixels()[::-1])
-            for place, i in enumerate(there):
+            for place, i in enumerate(batch):
                 ids = seen[place * resolution : (place + 1) * resolution].ravel()
                 S[i] = patches.area[i] * np.bincount(ids, weights, n + 1)[1:]
-            progress("form factors", there.stop, n)
+            progress("form factors", batch.stop, n)
         screen.release()
     for k in range(0, n, 1024):  # in place: n x n once is enough
         mean = (S[k : k + 1024, k:] + S[k:, k : k + 1024].T) / 2.0
@@ -45,8 +49,11 @@ def hemicube(patches: Patches, progress: Progress, resolution: int = RESOLUTION)
 
 
 def delta_form_factors(resolution: int) -> Float:
-    """The form factor of each pixel, (resolution, 3 resolution): on the left the top face, dA / (pi (x^2 + y^2 + 1)^2),
-    then four sides in two rows of two, z dA / (pi (y^2 + z^2 + 1)^2).  Their sum is close to 1."""
+    """Return the form factor of each pixel, (resolution, 3 resolution).
+
+    On the left is the top face, dA / (pi (x^2 + y^2 + 1)^2), then follow four sides in two rows of two,
+    z dA / (pi (y^2 + z^2 + 1)^2).  Their sum is close to 1.
+    """
     at = (2.0 * np.arange(resolution) + 1.0) / resolution - 1.0
     area = (2.0 / resolution) ** 2
     top = area / (np.pi * (at[None, :] ** 2 + at[:, None] ** 2 + 1.0) ** 2)
@@ -56,13 +63,11 @@ def delta_form_factors(resolution: int) -> Float:
 
 
 def _compiled(patches: Patches) -> int:
-    """A display list that draws all patches: fronts in the colour of their number, from 1, backs black."""
-    from glsim import gl
-
+    """Compile a display list that draws all patches: fronts in the colour of their number, from 1, backs black."""
     n = len(patches)
     number = np.repeat(np.arange(1, n + 1), 4)
     colors = np.stack([number & 255, number >> 8 & 255, number >> 16], axis=1).astype(np.uint8)
-    corners = patches.rings.reshape(-1, 3).astype(np.float32)
+    corners = patches.corners.reshape(-1, 3).astype(np.float32)
     name = int(gl.glGenLists(1))
     gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
     gl.glVertexPointer(3, gl.GL_FLOAT, 0, corners)
@@ -77,8 +82,7 @@ def _compiled(patches: Patches) -> int:
 
 
 def _clear() -> None:
-    from glsim import gl
-
+    """Clear the picture, and set the state in which colours stay numbers."""
     gl.glDisable(gl.GL_DITHER)
     gl.glEnable(gl.GL_DEPTH_TEST)
     gl.glEnable(gl.GL_CULL_FACE)
@@ -88,30 +92,27 @@ def _clear() -> None:
 
 
 def _draw(patches: Patches, i: int, resolution: int, bottom: int, scene: int) -> None:
-    """The five faces over patch i: the top one, and of the sides the half above the patch."""
-    from glsim import gl
-    from glsim.glu.view import gluLookAt
-
+    """Draw the five faces over patch i: the top one, and of the sides the half above the patch."""
     eye, up = patches.center[i], patches.normal[i]
-    across = patches.rings[i, 1] - patches.rings[i, 0]
+    across = patches.corners[i, 1] - patches.corners[i, 0]
     across = across / np.linalg.norm(across)
     along = np.cross(up, across)
     half, near, far = resolution // 2, 1e-3 * patches.size[i], 2.0 * patches.scene.size
     faces = [(up, along, (0, 0, resolution, resolution), -near)]
-    for k, way in enumerate((across, along, -across, -along)):
-        faces.append((way, up, (resolution * (1 + k % 2), half * (k // 2), resolution, half), 0.0))
-    for way, above, (x, y, width, height), low in faces:
+    for k, direction in enumerate((across, along, -across, -along)):
+        faces.append((direction, up, (resolution * (1 + k % 2), half * (k // 2), resolution, half), 0.0))
+    for direction, above, (x, y, width, height), low in faces:
         gl.glViewport(x, bottom + y, width, height)
         gl.glMatrixMode(gl.GL_PROJECTION)
         gl.glLoadIdentity()
         gl.glFrustum(-near, near, low, near, near, far)
         gl.glMatrixMode(gl.GL_MODELVIEW)
         gl.glLoadIdentity()
-        gluLookAt(*eye, *(eye + way), *above)
+        gluLookAt(*eye, *(eye + direction), *above)
         gl.glCallList(scene)
 
 
 def _numbers(pixels: NDArray[np.uint8]) -> NDArray[np.int64]:
-    """Numbers of patches from colours, bottom row first; 0 where there is none."""
+    """Return the numbers of patches from the colours of pixels; 0 where none is."""
     r, g, b = (pixels[..., k].astype(np.int64) for k in range(3))
     return np.asarray(r + 256 * g + 65536 * b)

@@ -16,17 +16,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.checkpoint import Checkpoint
-from glsim.radiosity.formfactors import DIM, NEGLIGIBLE, Progress, brightness, compute, memory_of_machine
-from glsim.radiosity.patches import Patches, length_for, number_of_cells, patches_from, subdivide
-from glsim.radiosity.quadtree import quarters
-from glsim.radiosity.scene import Scene, SceneError
+from glsim.radiosity.formfactors import DIM, NEGLIGIBLE, brightness
+from glsim.radiosity.links import along_links, link_factors, links_at
+from glsim.radiosity.methods import compute, memory_of_machine
+from glsim.radiosity.patches import Patches, patches_from
+from glsim.radiosity.progress import Progress, silent
+from glsim.radiosity.rays import Rays
+from glsim.radiosity.scene import SceneError
 from glsim.radiosity.solvers import solved
+from glsim.radiosity.tree import Tree
 from glsim.radiosity.visibility import FIRST, Visibility
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
-ROOTS = 1600  # about how many patches there are at most before they are divided
-DEEPEST = 6  # levels below a root
 BLOCK = 1 << 19  # pairs at a time
 ACCURACY = 5e-5  # how uneven, in mean radiosities, the light of one link may be
 SIZE = 36  # bytes of a link
@@ -36,87 +38,12 @@ VARIES = 0.1  # by so much, it is assumed, the radiosity of a node's parts diffe
 
 
 @dataclass(frozen=True, repr=False)
-class Tree:
-    """Quadtrees over patches.
-
-    nodes: all of them, level by level, the roots first; parent: (N,), -1 for roots; child: (N,) the first of four that
-    follow each other, -1 for leaves; levels: where each level begins, and the end.
-    """
-
-    nodes: Patches
-    parent: Int
-    child: Int
-    levels: tuple[int, ...]
-
-    def __repr__(self) -> str:
-        return f"<Tree of {self.nodes.scene.name}: {len(self.nodes)} nodes, {len(self.leaves)} elements>"
-
-    @cached_property
-    def leaves(self) -> Int:
-        """(n,): the node of each element."""
-        return np.flatnonzero(self.child < 0)
-
-    def pulled(self, B: Float) -> tuple[Float, Float]:
-        """Of all nodes, from the radiosity of the elements (n, 3): means by area (N, 3), and means of B (x - center),
-        (N, 3, 3) by channel and direction."""
-        nodes = self.nodes
-        power, moments = np.zeros((len(nodes), 3)), np.zeros((len(nodes), 3, 3))
-        power[self.leaves] = B * nodes.area[self.leaves, None]
-        for low, high in reversed(list(zip(self.levels[:-1], self.levels[1:], strict=True))):
-            inner = low + np.flatnonzero(self.child[low:high] >= 0)
-            parts = self.child[inner, None] + np.arange(4)
-            power[inner] = power[parts].sum(axis=1)
-            apart = nodes.center[parts] - nodes.center[inner, None]
-            moments[inner] = (moments[parts] + power[parts][..., None] * apart[:, :, None, :]).sum(axis=1)
-        return power / nodes.area[:, None], moments / nodes.area[:, None, None]
-
-    def pushed(self, H: Float, slopes: Float) -> Float:
-        """Irradiance of the elements (n, 3): what arrives at nodes, H + slope (x - center), arrives at all below."""
-        H, slopes, center = H.copy(), slopes.copy(), self.nodes.center
-        for low, high in zip(self.levels[1:-1], self.levels[2:], strict=True):
-            above = self.parent[low:high]
-            apart = center[low:high] - center[above]
-            H[low:high] += H[above] + np.einsum("ncd,nd->nc", slopes[above], apart)
-            slopes[low:high] += slopes[above]
-        return np.asarray(H[self.leaves])
-
-
-def tree_over(roots: Patches, length: float) -> Tree:
-    """Patches divided until their edges are about ``length``."""
-    edges = np.sqrt(roots.area * np.where(roots.counts == 4, 1.0, 2.0))
-    depth = np.clip(np.round(np.log2(np.maximum(edges / length, 1e-9))), 0, DEEPEST).astype(np.int64)
-    rings, counts, polygon = [roots.rings], [roots.counts], [roots.polygon]
-    parent, child, levels = [np.full(len(roots), -1)], [np.full(len(roots), -1)], [0, len(roots)]
-    while (inner := np.flatnonzero(depth > 0)).size:
-        child[-1][inner] = levels[-1] + 4 * np.arange(len(inner))
-        parent.append(np.repeat(levels[-2] + inner, 4))
-        depth = np.repeat(depth[inner] - 1, 4)
-        child.append(np.full(len(depth), -1))
-        rings.append(quarters(rings[-1][inner], counts[-1][inner]).reshape(-1, 4, 3))
-        counts.append(np.repeat(counts[-1][inner], 4))
-        polygon.append(np.repeat(polygon[-1][inner], 4))
-        levels.append(levels[-1] + len(depth))
-    level = np.repeat(np.arange(len(rings)), [len(part) for part in rings])
-    whole = np.concatenate(rings), np.concatenate(counts), np.concatenate(polygon)
-    nodes = patches_from(roots.scene, *whole, level)
-    return Tree(nodes, np.concatenate(parent), np.concatenate(child), tuple(levels))
-
-
-def tree_of(scene: Scene, count: int) -> Tree:
-    """About ``count`` elements over as few roots as the scene's polygons need, or ROOTS."""
-    length = length_for(scene, count)
-    fewest = max(ROOTS, 2 * number_of_cells(scene, scene.size))
-    depth = 0
-    while depth < DEEPEST and number_of_cells(scene, length * 2.0**depth) > fewest:
-        depth += 1
-    return tree_over(subdivide(scene, length=length * 2.0**depth), length)
-
-
-@dataclass(frozen=True, repr=False)
 class Links:
-    """ends: (k, 2) nodes; S: (k,) float32, A_p F_pq = A_q F_qp; tilt: (k, 2, 3) float32, how the form factor changes
-    over either end, see sweep.along_links.  visibility: rays in the scene, for what is asked later.  patches: the
-    elements.  seconds: by stage."""
+    """k links between the nodes of a tree: a kind of factors.Factors.
+
+    ends: (k, 2), the nodes p and q of each link; S: (k,) float32, A_p F_pq = A_q F_qp; tilt: (k, 2, 3) float32, how the
+    form factor changes over either end, see links.along_links.  patches: the elements.  seconds: by stage.
+    """
 
     tree: Tree
     visibility: Visibility
@@ -132,15 +59,14 @@ class Links:
 
     @cached_property
     def patches(self) -> Patches:
+        """The elements: the leaves of the tree."""
         nodes, leaves = self.tree.nodes, self.tree.leaves
         return patches_from(
-            nodes.scene, nodes.rings[leaves], nodes.counts[leaves], nodes.polygon[leaves], nodes.level[leaves]
+            nodes.scene, nodes.corners[leaves], nodes.counts[leaves], nodes.polygon[leaves], nodes.level[leaves]
         )
 
     def times(self, B: Float) -> Float:
-        """S B for the elements: pull, gather along the links, push."""
-        from glsim.radiosity.sweep import along_links
-
+        """Return S B (n, 3) of the elements: pull radiosity up, send it along the links, push what arrives down."""
         area = self.tree.nodes.area[:, None]
         arriving, slopes = np.zeros((len(area), 3)), np.zeros((len(area), 3, 3))
         along_links(self.ends, self.S, self.tilt, *self.tree.pulled(B), arriving, slopes)
@@ -156,33 +82,36 @@ class Links:
         _checkpoint(checkpoint, self.tree, self.accuracy).save(ends=self.ends, S=self.S, tilt=self.tilt, open=NONE)
 
     def row(self, i: int) -> Float:
-        """F[i, :], (n,), for one element: what it would send everywhere."""
+        """Return F[i, :], (n,), of one element: by reciprocity what all others would receive from it."""
         alone = np.zeros((len(self.patches), 3))
         alone[i] = 1.0
         return np.asarray(self.times(alone)[:, 0] / self.patches.area[i])
 
-    def at_points(self, points: Float, ways: Float, patch: Int, B: Float) -> Float:
-        """Irradiance (k, 3) at points with normals ``ways`` on the elements ``patch``: from all nodes linked to the
-        element or to what it is part of, each with its own form factor at the point."""
-        from scipy.sparse import csr_matrix
+    def at_points(self, points: Float, normals: Float, patch: Int, B: Float) -> Float:
+        """Return the irradiance (k, 3) at points (k, 3), with unit normals (k, 3), on the elements ``patch`` (k,).
 
-        from glsim.radiosity.sweep import links_at
+        The light comes from all nodes linked to the element or to a node that it is part of, each with its own form
+        factor at the point.
+        """
+        from scipy.sparse import csr_matrix
 
         nodes, radiosity = self.tree.nodes, self.tree.pulled(B)[0]
         bright = brightness(nodes, radiosity)
         least = NEGLIGIBLE / SENDERS / bright
         starts, others = self.by_node
 
-        def found(part: Int) -> tuple[Int, Int, Float]:
-            at = (points[part], ways[part], self.tree.leaves[patch[part]])
-            of = (nodes.rings, nodes.counts, nodes.normal, nodes.center, nodes.size, least)
+        def factors_at(part: Int) -> tuple[Int, Int, Float]:
+            at = (points[part], normals[part], self.tree.leaves[patch[part]])
+            of = (nodes.corners, nodes.counts, nodes.normal, nodes.center, nodes.size, least)
             rows, columns, factors = links_at(*at, self.tree.parent, starts, others, *of)
             return part[rows], columns, factors
 
         parts = np.array_split(np.arange(len(points)), 8)
-        rows, columns, factors = map(np.concatenate, zip(*self.visibility.pool.map(found, parts), strict=True))
+        rows, columns, factors = map(
+            np.concatenate, zip(*self.visibility.rays.pool.map(factors_at, parts), strict=True)
+        )
         dim = factors < DIM / bright[columns]
-        factors *= self.visibility.from_points(points, ways, nodes, rows, columns, dim)
+        factors *= self.visibility.from_points(points, normals, nodes, rows, columns, dim)
         begin = np.searchsorted(rows, np.arange(len(points) + 1))
         return np.asarray(csr_matrix((factors, columns, begin), (len(points), len(nodes))) @ radiosity)
 
@@ -191,34 +120,39 @@ class Links:
         """0: each link is used in both directions."""
         return 0.0
 
+    @property
+    def matrix(self) -> None:
+        """None: there are only links."""
+        return None
+
     @cached_property
     def by_node(self) -> tuple[Int, NDArray[np.int32]]:
-        """Where each node's links begin (N + 1,), and the nodes at their other ends (2 k,)."""
+        """Return where each node's links begin, (N + 1,), and the nodes at their other ends, (2 k,)."""
         one = self.ends.T.ravel()
         order = np.argsort(one, kind="stable")
         starts = np.searchsorted(one[order], np.arange(len(self.tree.nodes) + 1))
         return starts, self.ends[:, ::-1].T.ravel()[order]
 
 
-def linked(tree: Tree, accuracy: float = ACCURACY, threads: int | None = None, progress: Progress | None = None,
+def linked(tree: Tree, accuracy: float = ACCURACY, rays: Rays | None = None, progress: Progress | None = None,
            limit: int | None = None, checkpoint: str | None = None) -> Links:  # fmt: skip
-    """The links of a tree, each refined until the light along it is even to ``accuracy`` mean radiosities or its ends
-    are elements.  How bright the nodes are is known from a solution for the roots alone.
+    """Link the nodes of a tree, and refine each link until it is accurate enough or its ends are elements.
 
-    checkpoint: see formfactors.compute.  Raises SceneError if the roots' form factors, or the links, would not fit into
+    A link is accurate enough if the radiosity that it brings is off by at most ``accuracy`` mean radiosities in any
+    part of its ends.  How bright the nodes are is known from a solution for the roots alone.
+
+    checkpoint: see methods.compute.  Raises SceneError if the roots' form factors, or the links, would not fit into
     ``limit`` bytes (by default half of the machine's memory).
     """
-    tell = progress or (lambda stage, done, of: None)
+    tell = progress or silent
     nodes, count = tree.nodes, tree.levels[1]
-    roots = patches_from(nodes.scene, nodes.rings[:count], nodes.counts[:count], nodes.polygon[:count])
-    coarse = compute(
-        roots, threads=threads, limit=limit, progress=lambda _, done, of: tell("coarse solution", done, of)
-    )
+    roots = patches_from(nodes.scene, nodes.corners[:count], nodes.counts[:count], nodes.polygon[:count])
+    coarse = compute(roots, rays=rays, limit=limit, progress=lambda _, done, of: tell("coarse solution", done, of))
     B = solved(coarse, tolerance=1e-3)[-1].B
     start = time.perf_counter()
     mean = float(np.average(B.mean(axis=1), weights=roots.area))
-    kept = _checkpoint(checkpoint, tree, accuracy)
-    refiner = _Refiner(tree, B, accuracy * mean, coarse.visibility, kept.load())
+    store = _checkpoint(checkpoint, tree, accuracy)
+    refiner = _Refiner(tree, B, accuracy * mean, coarse.visibility, store.load())
     pairs, allowed = len(refiner.open), limit if limit is not None else memory_of_machine() // 2
     try:
         while refiner.open:
@@ -231,21 +165,25 @@ def linked(tree: Tree, accuracy: float = ACCURACY, threads: int | None = None, p
             tell("links", pairs - min(len(refiner.open), pairs), pairs)
     except KeyboardInterrupt:
         ends, S, tilt = refiner.links()
-        kept.save(ends=ends, S=S, tilt=tilt, open=np.concatenate([NONE, *refiner.open]))
+        store.save(ends=ends, S=S, tilt=tilt, open=np.concatenate([NONE, *refiner.open]))
         raise
-    kept.remove()
+    store.remove()
     seconds = {"form factors": coarse.seconds["form factors"] + coarse.seconds["visibility"],
                "links": time.perf_counter() - start}  # fmt: skip
     return Links(tree, coarse.visibility, *refiner.links(), accuracy, seconds)
 
 
 def _checkpoint(path: str | None, tree: Tree, accuracy: float) -> Checkpoint:
+    """Return the checkpoint of a tree's links."""
     return Checkpoint(path, tree.nodes, f"hierarchical {accuracy}")
 
 
 class _Refiner:
-    """state: blocks of pairs that are still open, and what is linked: ends and S.  One thing, so that an interruption
-    never finds half a step."""
+    """Turns pairs of nodes into links, block by block.
+
+    state: blocks of pairs that are still open, and a list of (ends, S, tilt) of what is linked.  Both are replaced
+    together, so that an interruption never finds half a step.
+    """
 
     def __init__(
         self, tree: Tree, B: Float, least: float, visibility: Visibility, before: dict[str, NDArray[Any]]
@@ -261,6 +199,7 @@ class _Refiner:
 
     @property
     def open(self) -> list[Int]:
+        """Blocks of pairs that are neither links nor refined yet."""
         return self.state[0]
 
     def links(self) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]:
@@ -270,29 +209,29 @@ class _Refiner:
 
     def step(self) -> None:
         """Links for the last block of pairs, where the light is even enough; the others become pairs of parts."""
-        from glsim.radiosity.sweep import link_factors
-
         nodes, pairs = self.tree.nodes, self.open[-1]
         S, spread, tilt = np.empty(len(pairs)), np.empty((len(pairs), 2)), np.empty((len(pairs), 2, 3), np.float32)
         link_factors(
-            nodes.rings, nodes.counts, nodes.normal, nodes.center, nodes.size, self.tree.child, pairs, S, tilt, spread
+            nodes.corners, nodes.counts, nodes.normal, nodes.center, nodes.size, self.tree.child, pairs, S, tilt, spread
         )
         seeing = np.flatnonzero(S > 0.0)
         pairs, S, spread, tilt = pairs[seeing], S[seeing], spread[seeing], tilt[seeing]
-        share, asked = self.visibility.asked(nodes.rings, nodes.counts, nodes.normal, pairs)
+        share, asked = self.visibility.asked(nodes.corners, nodes.counts, nodes.normal, pairs)
         uneven = self._unevenness(pairs, S, spread, share, asked) > self.least
         uneven &= self.tree.child[pairs] >= 0
         done = ~uneven.any(axis=1)
-        kept = done & (share > 0.0)
+        linked = done & (share > 0.0)
         parts = self._parts(pairs[~done], uneven[~done])
-        found = pairs[kept].astype(np.int32), (S * share)[kept].astype(np.float32), tilt[kept]
-        self.count += len(found[1])
-        self.state = [*self.open[:-1], *parts], [*self.state[1], found]
+        links = pairs[linked].astype(np.int32), (S * share)[linked].astype(np.float32), tilt[linked]
+        self.count += len(links[1])
+        self.state = [*self.open[:-1], *parts], [*self.state[1], links]
 
     def _unevenness(self, pairs: Int, S: Float, spread: Float, share: Float, asked: Int) -> Float:
-        """By how much the radiosity that a link brings to its ends may be wrong in their parts, (k, 2): because the
-        form factor differs between the parts, because some may not be seen, or because the sender is not evenly
-        bright."""
+        """Estimate how wrong the radiosity that a link brings to parts of its ends may be: (k, 2).
+
+        Three things make it wrong: the form factor differs between the parts; some parts may not be seen; the sender is
+        not evenly bright.  The largest counts.
+        """
         nodes = self.tree.nodes
         bright = np.stack([(nodes.rho[pairs[:, k]] * self.B[pairs[:, 1 - k]]).max(axis=1) for k in (0, 1)], axis=1)
         likely = (share[asked] * FIRST + 0.5) / (FIRST + 1.0)  # 16 rays that agree are no proof
@@ -305,7 +244,7 @@ class _Refiner:
         return np.asarray(uneven)
 
     def _parts(self, pairs: Int, uneven: NDArray[np.bool_]) -> list[Int]:
-        """Pairs of the parts of those ends that are uneven, in blocks."""
+        """Divide the ends that are uneven, (k, 2), and return the pairs of their parts in blocks."""
         four = np.arange(4)
         parts = []
         for k in (0, 1):
@@ -322,4 +261,5 @@ class _Refiner:
 
 
 def _blocks(pairs: Int) -> list[Int]:
+    """Cut pairs (k, 2) into blocks of at most BLOCK."""
     return [pairs[k : k + BLOCK] for k in range(0, len(pairs), BLOCK)]

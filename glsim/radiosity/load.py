@@ -21,7 +21,7 @@ CREASE = np.radians(40.0)  # flatter edges of a mesh are shaded round
 
 
 def scene_from(what: Any, materials: Mapping[str, Material] | None = None) -> Scene:
-    """A built-in scene by name, a mesh file (GLB, OBJ, PLY, ...), a program (.py), a Frame, or a Scene as it is.
+    """Return the scene of a built-in one's name, a mesh file (GLB, OBJ, PLY, ...), a program (.py), a Frame or a Scene.
 
     materials: instead of those of the same name.  Raises SceneError for what cannot be used.
     """
@@ -55,14 +55,14 @@ def scene_from(what: Any, materials: Mapping[str, Material] | None = None) -> Sc
         known = ", ".join(sorted(material.name for material in scene.materials))
         raise SceneError(f"{scene.name} has no material named {', '.join(sorted(unknown))}; it has {known}")
     changed = tuple((materials or {}).get(material.name, material) for material in scene.materials)
-    return Scene(scene.name, scene.rings, scene.material, changed, scene.views, scene.group, scene.notes)
+    return Scene(scene.name, scene.polygons, scene.material, changed, scene.views, scene.group, scene.notes)
 
 
 # ---------------------------------------------------------------- files
 
 
 def from_file(path: Path) -> Scene:
-    """A mesh file: base colour becomes rho, emissive colour E.  Smooth parts stay smooth."""
+    """Read a mesh file: base colour becomes rho, emissive colour E.  Smooth parts stay smooth."""
     from glsim.scenes.reading import read
 
     try:
@@ -79,12 +79,12 @@ def from_file(path: Path) -> Scene:
         material = _material(mesh, name)
         for faces in _smooth_parts(mesh):
             b.add(np.asarray(mesh.vertices)[np.asarray(mesh.faces)[faces]], material, smooth=True)
-    points = np.concatenate(b.rings)
+    points = np.concatenate(b.polygons)
     return b.scene(view_of(points))
 
 
 def _smooth_parts(mesh: Any) -> list[NDArray[np.int64]]:
-    """Faces that hang together by edges flatter than CREASE."""
+    """Group the faces of a trimesh that hang together by edges flatter than CREASE."""
     import trimesh
 
     flat = np.asarray(mesh.face_adjacency)[np.asarray(mesh.face_adjacency_angles) < CREASE]
@@ -93,7 +93,7 @@ def _smooth_parts(mesh: Any) -> list[NDArray[np.int64]]:
 
 
 def _material(mesh: Any, name: str) -> Material:
-    """Of a trimesh visual; white paint if there is none."""
+    """Return the material of a trimesh; white paint if it has none."""
     rho, E = np.full(3, 0.7), np.zeros(3)
     material = getattr(mesh.visual, "material", None)
     if material is not None:
@@ -113,5 +113,6 @@ def _material(mesh: Any, name: str) -> Material:
 
 
 def _unit(color: Any) -> Float:
+    """Return a colour (3,) in [0, 1], from bytes or from numbers that are so already."""
     values = np.asarray(color, float)[:3]
     return values / 255.0 if np.asarray(color).dtype.kind in "ui" or values.max() > 1.0 else values

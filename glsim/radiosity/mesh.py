@@ -16,7 +16,7 @@ SAME = 1e-7  # of the scene's size: this near, points are one vertex
 
 
 @dataclass(frozen=True, repr=False)
-class Mesh:
+class PatchMesh:
     """Triangles without T-vertices.
 
     vertices, normals: (V, 3); at: (V, 3) where light is gathered; patch: (V,) the largest patch each vertex belongs
@@ -32,13 +32,16 @@ class Mesh:
     corners: Int
 
     def __repr__(self) -> str:
-        return f"<Mesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
+        return f"<PatchMesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
 
 
 @dataclass(frozen=True)
 class Outline:
-    """corners: (n, 4) vertex numbers of patches, a triangle repeats its last; positions: (V, 3); between: for an edge
-    (patch, corner) from that corner to the next, the vertices of neighbours that lie on it, in order."""
+    """The edges of patches.
+
+    corners: (n, 4), numbers of vertices, a triangle repeats its last; positions: (V, 3) of the vertices; between: for
+    an edge (patch, corner), from that corner to the next, the vertices of neighbours that lie on it, in order.
+    """
 
     corners: Int
     positions: Float
@@ -46,19 +49,24 @@ class Outline:
 
 
 def outline(patches: Patches) -> Outline:
-    """Patches of one flat polygon, or of one smooth body, share vertices."""
+    """Give numbers to the patches' corners: patches of one flat polygon, or of one smooth body, share vertices."""
     n = len(patches)
-    group = np.asarray(patches.scene.group or range(len(patches.scene.rings)), np.int64)[patches.polygon]
+    group = np.asarray(patches.scene.group or range(len(patches.scene.polygons)), np.int64)[patches.polygon]
     unit = SAME * patches.scene.size
-    keys = np.column_stack([np.round(patches.rings.reshape(-1, 3) / unit).astype(np.int64), np.repeat(group, 4)])
+    keys = np.column_stack([np.round(patches.corners.reshape(-1, 3) / unit).astype(np.int64), np.repeat(group, 4)])
     _, first, number = np.unique(keys, axis=0, return_index=True, return_inverse=True)
     corners = number.reshape(n, 4)
-    positions = patches.rings.reshape(-1, 3)[first]
+    positions = patches.corners.reshape(-1, 3)[first]
     return Outline(corners, positions, _between(corners, patches.counts, positions, keys[first, 3], unit))
 
 
 def _between(corners: Int, counts: Int, positions: Float, group: Int, unit: float) -> dict[tuple[int, int], list[int]]:
-    """Only edges that one patch alone has can have vertices on them, and only the ends of such edges."""
+    """Find the vertices on edges, see Outline.between.
+
+    Only an edge that a single patch has can have vertices on it, and only vertices that are ends of such edges.
+    corners: (n, 4); counts: (n,); positions: (V, 3); group: (V,), only vertices of the edge's own count; unit: how near
+    to the edge they are.
+    """
     from scipy.spatial import cKDTree
 
     patch, corner = np.nonzero(np.arange(4) < counts[:, None])
@@ -70,22 +78,25 @@ def _between(corners: Int, counts: Int, positions: Float, group: Int, unit: floa
     ends = np.unique(np.concatenate([start, end]))
     middle, reach = (positions[start] + positions[end]) / 2.0, np.linalg.norm(positions[end] - positions[start], axis=1)
     near = cKDTree(positions[ends]).query_ball_point(middle, 0.501 * reach)
-    found: dict[tuple[int, int], list[int]] = {}
+    between: dict[tuple[int, int], list[int]] = {}
     for k in range(len(near)):
-        these = ends[near[k]]
-        these = these[group[these] == group[start[k]]]
-        way = (positions[end[k]] - positions[start[k]]) / reach[k]
-        along = (positions[these] - positions[start[k]]) @ way
-        off = np.linalg.norm(positions[these] - positions[start[k]] - along[:, None] * way, axis=1)
+        vertices = ends[near[k]]
+        vertices = vertices[group[vertices] == group[start[k]]]
+        direction = (positions[end[k]] - positions[start[k]]) / reach[k]
+        along = (positions[vertices] - positions[start[k]]) @ direction
+        off = np.linalg.norm(positions[vertices] - positions[start[k]] - along[:, None] * direction, axis=1)
         inside = (off < unit) & (along > unit) & (along < reach[k] - unit)
         if inside.any():
             order = np.argsort(along[inside])
-            found[int(patch[alone[k]]), int(corner[alone[k]])] = these[inside][order].tolist()
-    return found
+            between[int(patch[alone[k]]), int(corner[alone[k]])] = vertices[inside][order].tolist()
+    return between
 
 
-def mesh_of(patches: Patches) -> Mesh:
-    """A patch whose edges have vertices of its neighbours on them becomes a fan around its middle."""
+def mesh_of(patches: Patches) -> PatchMesh:
+    """Return the patches as triangles without T-vertices.
+
+    A patch on whose edges lie vertices of its neighbours becomes a fan around its middle.
+    """
     lines = outline(patches)
     corners, counts = lines.corners, patches.counts
     fans = np.array(sorted({k for k, _ in lines.between}), np.int64)
@@ -94,34 +105,38 @@ def mesh_of(patches: Patches) -> Mesh:
     triangles = [corners[plain][:, [0, 1, 2]], corners[quads][:, [0, 2, 3]]]
     owners = [plain, quads]
     for middle, k in enumerate(fans.tolist(), len(lines.positions)):
-        ring: list[int] = []
+        loop: list[int] = []
         for corner in range(counts[k]):
-            ring += [int(corners[k, corner]), *lines.between.get((k, corner), [])]
-        triangles.append(np.array([(middle, a, b) for a, b in zip(ring, [*ring[1:], ring[0]], strict=True)]))
-        owners.append(np.full(len(ring), k))
-    where = np.concatenate([lines.positions, patches.center[fans]])
+            loop += [int(corners[k, corner]), *lines.between.get((k, corner), [])]
+        triangles.append(np.array([(middle, a, b) for a, b in zip(loop, [*loop[1:], loop[0]], strict=True)]))
+        owners.append(np.full(len(loop), k))
+    positions = np.concatenate([lines.positions, patches.center[fans]])
     faces, of = np.concatenate(triangles), np.concatenate(owners)
-    return _with_normals(patches, where, faces, of, corners)
+    return _with_normals(patches, positions, faces, of, corners)
 
 
-def _with_normals(patches: Patches, where: Float, triangles: Int, of: Int, corners: Int) -> Mesh:
-    """Normals by the area of the patches around; a vertex around which they leave a gap is at a border."""
-    around = np.zeros(len(where))
+def _with_normals(patches: Patches, positions: Float, triangles: Int, of: Int, corners: Int) -> PatchMesh:
+    """Return the mesh of triangles (T, 3) of the patches ``of`` (T,), with normals and points of gathering.
+
+    A vertex's normal is the mean of the patches around it, weighted by area.  Where the angles around a vertex do not
+    fill 2 pi it lies at a border, and gathers light a little inside its largest patch.
+    """
+    around = np.zeros(len(positions))
     for k in range(3):
-        here, one, two = (where[triangles[:, (k + d) % 3]] for d in range(3))
-        one, two = one - here, two - here
+        corner, one, two = (positions[triangles[:, (k + d) % 3]] for d in range(3))
+        one, two = one - corner, two - corner
         angle = np.arctan2(np.linalg.norm(np.cross(one, two), axis=1), np.einsum("nk,nk->n", one, two))
         np.add.at(around, triangles[:, k], angle)
     vertex, patch = triangles.ravel(), np.repeat(of, 3)
     order = np.lexsort((patch, patches.area[patch], vertex))  # the last of each vertex is the largest
-    largest = np.empty(len(where), np.int64)
+    largest = np.empty(len(positions), np.int64)
     largest[vertex[order]] = patch[order]
     pairs = np.unique(vertex * len(patches) + patch)
     vertex, patch = pairs // len(patches), pairs % len(patches)
-    normals = np.zeros((len(where), 3))
+    normals = np.zeros((len(positions), 3))
     np.add.at(normals, vertex, patches.normal[patch] * patches.area[patch, None])
     length = np.linalg.norm(normals, axis=1)
     flat = length > 1e-12 * patches.area[largest]
     normals = np.where(flat[:, None], normals / np.where(flat, length, 1.0)[:, None], patches.normal[largest])
-    at = np.where((around < 6.28)[:, None], where + INWARD * (patches.center[largest] - where), where)
-    return Mesh(where, normals, at, largest, triangles, of, corners)
+    at = np.where((around < 6.28)[:, None], positions + INWARD * (patches.center[largest] - positions), positions)
+    return PatchMesh(positions, normals, at, largest, triangles, of, corners)

@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
-from glsim.radiosity.solvers import Step
+from glsim.radiosity.solvers import SolverStep
 
 PAPER, INK, GRID = (250, 250, 248), (30, 32, 38), (215, 215, 212)
 COLORS = ((200, 60, 40), (40, 90, 200), (30, 140, 80), (160, 90, 180), (210, 140, 20), (90, 90, 90))
 
 
-def convergence(series: dict[str, Sequence[Step]], size: tuple[int, int] = (720, 440)) -> Image.Image:
-    """Residual over iteration, logarithmic, a line for each solver."""
+def convergence(series: dict[str, Sequence[SolverStep]], size: tuple[int, int] = (720, 440)) -> Image.Image:
+    """Draw the residual over the iterations, logarithmically, with a line for each solver's steps."""
     picture = Image.new("RGB", size, PAPER)
     pen, font = ImageDraw.Draw(picture), ImageFont.load_default(13)
     left, top, right, bottom = 64, 24, size[0] - 16, size[1] - 44
@@ -47,7 +47,7 @@ def convergence(series: dict[str, Sequence[Step]], size: tuple[int, int] = (720,
 
 
 def matrix(F: NDArray[np.float64], size: int = 640) -> Image.Image:
-    """Form factors as brightness, logarithmic over four decades, row 0 on top."""
+    """Draw form factors (n, n) as brightness, logarithmically over four decades, row 0 on top."""
     largest = float(F.max()) or 1.0
     shades = 1.0 + np.log10(np.maximum(F / largest, 1e-4)) / 4.0
     image = Image.fromarray(np.asarray(shades * 255.0, np.uint8))

@@ -22,14 +22,14 @@ ACROSS = 0.5  # cosine: a normal that is less along a polygon's own says nothing
 SAME = 1e-4  # of the scene's size, and of a unit normal: corners this near are one
 
 
-class Surface(NamedTuple):
+class DrawnPolygon(NamedTuple):
     """One polygon in eye space, its front counterclockwise.
 
-    ring, normals: (k, 3), the normals zeros where they tell nothing; material, back: of the other side, None if
+    polygon, normals: (k, 3), the normals zeros where they tell nothing; material, back: of the other side, None if
     only the front reflects; smooth: GL_SMOOTH; doubt: what tells too little of the front, a key of DOUBTS, or "".
     """
 
-    ring: Float
+    polygon: Float
     normals: Float
     material: Material
     back: Material | None
@@ -45,10 +45,10 @@ DOUBTS = {
 
 
 def from_frame(frame: Any, name: str = "frame") -> Scene:
-    """The polygons of a Frame in eye space: k_d becomes rho, emission E; what is drawn unlit reflects its colour.
+    """Return the polygons of a Frame in eye space: k_d becomes rho, emission E.
 
-    OpenGL's lights are left out: in radiosity light comes from surfaces, so something must have GL_EMISSION.  A sheet
-    that is lit with GL_LIGHT_MODEL_TWO_SIDE reflects on both sides.
+    What is drawn unlit reflects its colour.  OpenGL's lights are left out: in radiosity light comes from surfaces, so
+    something must have GL_EMISSION.  A sheet that is lit with GL_LIGHT_MODEL_TWO_SIDE reflects on both sides.
     """
     from glsim.machine.assembly import corners
 
@@ -59,21 +59,22 @@ def from_frame(frame: Any, name: str = "frame") -> Scene:
     b = Builder(Path(name).name)
     sheets = _open(surfaces)
     for part in _parts(surfaces):
-        b.add([surfaces[k].ring for k in part], surfaces[part[0]].material, smooth=True)
+        b.add([surfaces[k].polygon for k in part], surfaces[part[0]].material, smooth=True)
         for back in dict.fromkeys(surfaces[k].back for k in part if sheets[k]):
             if back is not None:
-                b.add([surfaces[k].ring[::-1] for k in part if surfaces[k].back == back], back, smooth=True)
-    found = [surface.doubt for surface in surfaces]
-    notes = [f"{words}: {found.count(doubt)}" for doubt, words in DOUBTS.items() if doubt in found]
+                b.add([surfaces[k].polygon[::-1] for k in part if surfaces[k].back == back], back, smooth=True)
+    doubts = [surface.doubt for surface in surfaces]
+    notes = [f"{words}: {doubts.count(doubt)}" for doubt, words in DOUBTS.items() if doubt in doubts]
     return replace(b.scene(_view_in(draws[0].matrices[1].get().astype(np.float64))), notes=tuple(notes))
 
 
-def _surfaces(draw: Any) -> list[Surface]:
+def _surfaces(draw: Any) -> list[DrawnPolygon]:
+    """Return the polygons of one Draw of a Frame."""
     from glsim.machine.assembly import outlines
     from glsim.machine.constants import GL_CW, GL_FRONT, GL_SMOOTH
 
     count = draw.count if draw.indices is None else len(draw.indices)
-    rings, _ = outlines(draw.mode, count)
+    polygons, _ = outlines(draw.mode, count)
     numbers = (np.arange(count) if draw.indices is None else draw.indices.astype(np.int64)) + draw.first
     modelview, projection = (matrix.get().astype(np.float64) for matrix in draw.matrices[:2])
     rows = draw.block.rows[numbers].astype(np.float64)
@@ -88,27 +89,27 @@ def _surfaces(draw: Any) -> list[Surface]:
     shown ^= bool(np.linalg.det(projection[:2, :2]) < 0.0)  # the projection is a mirror
     shown ^= polygon.cull and polygon.cull_face == GL_FRONT  # only backs are seen
     both = lighting.enabled and lighting.two_side and not polygon.cull
-    ways = np.array([normal_of(points[ring]) for ring in rings])
-    along = np.einsum("nk,nk->n", normals[rings].mean(axis=1), ways)
+    own = np.array([normal_of(points[polygon]) for polygon in polygons])
+    along = np.einsum("nk,nk->n", normals[polygons].mean(axis=1), own)
     told = (np.abs(along) > ACROSS) & ~(left & ((along > 0.0) != shown))
     votes = along[told] if not left else along[:0]
     usual = bool(votes.sum() > 0.0) if len(votes) else shown  # what tells nothing follows the others
     unsaid = not len(votes) and not polygon.cull and not both
-    found = []
-    for ring, way, sure, outwards in zip(rings, ways, told, along > 0.0, strict=True):
+    surfaces = []
+    for polygon, normal, sure, outwards in zip(polygons, own, told, along > 0.0, strict=True):
         front = outwards if sure else usual
-        doubt = "against" if front != shown else "unsaid" if unsaid and way.any() and not sure else ""
+        doubt = "against" if front != shown else "unsaid" if unsaid and normal.any() and not sure else ""
         order = slice(None) if front else slice(None, None, -1)
-        sides = _materials(draw, int(numbers[ring[-1]]))
-        found.append(
-            Surface(points[ring][order], normals[ring][order] * sure, sides[0], sides[1] if both else None,
+        sides = _materials(draw, int(numbers[polygon[-1]]))
+        surfaces.append(
+            DrawnPolygon(points[polygon][order], normals[polygon][order] * sure, sides[0], sides[1] if both else None,
                     lighting.shade_model == GL_SMOOTH, doubt)
         )  # fmt: skip
-    return found
+    return surfaces
 
 
 def _normals(given: Float, modelview: Float) -> Float:
-    """Unit normals (n, 3) in eye space; zeros where the matrix has no inverse: what is as flat as a shadow."""
+    """Return unit normals (n, 3) in eye space; zeros where the matrix has no inverse, as that of a flat shadow."""
     try:
         normals = given @ np.linalg.inv(modelview)[:3, :3].T
     except np.linalg.LinAlgError:
@@ -117,7 +118,7 @@ def _normals(given: Float, modelview: Float) -> Float:
 
 
 def _materials(draw: Any, vertex: int) -> tuple[Material, Material]:
-    """Of the front and of the back."""
+    """Return the materials of the front and of the back of a polygon, at its last vertex."""
     color = draw.color or tuple(draw.block.rows[vertex, 6:10].tolist())
     lighting = draw.state.lighting
     if not lighting.enabled:
@@ -126,17 +127,18 @@ def _materials(draw: Any, vertex: int) -> tuple[Material, Material]:
     from glsim.machine.state import TRACKED
 
     sides = draw.materials_at(np.array([vertex]))[0]
-    found = []
+    materials = []
     for side, other in ((sides.front, GL_BACK), (sides.back, GL_FRONT)):
         tracked: tuple[str, ...] = ()
         if lighting.color_material and lighting.color_material_face != other:
             tracked = TRACKED.get(lighting.color_material_mode, ("emission",))
         rho = color if "diffuse" in tracked else side.diffuse
-        found.append(_material(rho, color if "emission" in tracked else side.emission))
-    return found[0], found[1]
+        materials.append(_material(rho, color if "emission" in tracked else side.emission))
+    return materials[0], materials[1]
 
 
 def _material(rho: Any, emission: Any) -> Material:
+    """Return a material from OpenGL's diffuse and emissive colour, named after both."""
     r, g, b = (min(max(float(value), 0.0), BRIGHTEST) for value in rho[:3])
     E = (float(emission[0]), float(emission[1]), float(emission[2]))
     name = f"k_d {r:.3g} {g:.3g} {b:.3g}" + (" emitting" if max(E) > 0.0 else "")
@@ -144,7 +146,7 @@ def _material(rho: Any, emission: Any) -> Material:
 
 
 def _view_in(projection: Float) -> View:
-    """The program's own camera: at the origin of eye space.  Column-first matrix."""
+    """Return the program's own camera, at the origin of eye space, from its projection matrix (stored by columns)."""
     fov = float(np.degrees(2.0 * np.arctan(1.0 / projection[1, 1]))) if projection[2, 3] != 0.0 else 60.0
     return View((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), fov=fov)
 
@@ -152,16 +154,19 @@ def _view_in(projection: Float) -> View:
 # ---------------------------------------------------------------- what belongs together
 
 
-def _corners(surfaces: list[Surface]) -> tuple[Int, Int]:
-    """Of all corners, one after the other: the number of the polygon, and of the place."""
-    points = np.concatenate([surface.ring for surface in surfaces])
+def _corners(surfaces: list[DrawnPolygon]) -> tuple[Int, Int]:
+    """Return two numbers for each corner of all polygons, in order: its polygon's, and its place's."""
+    points = np.concatenate([surface.polygon for surface in surfaces])
     unit = SAME * max(float(np.linalg.norm(np.ptp(points, axis=0))), 1e-300)
-    owner = np.repeat(np.arange(len(surfaces)), [len(surface.ring) for surface in surfaces])
+    owner = np.repeat(np.arange(len(surfaces)), [len(surface.polygon) for surface in surfaces])
     return owner, np.unique(np.round(points / unit), axis=0, return_inverse=True)[1].ravel()
 
 
-def _parts(surfaces: list[Surface]) -> list[list[int]]:
-    """Numbers of polygons that are one smooth surface: of one material, sharing a corner and the normal there."""
+def _parts(surfaces: list[DrawnPolygon]) -> list[list[int]]:
+    """Group the numbers of polygons that form one smooth surface.
+
+    They have one material, and share a corner and the normal there, at once or through others.
+    """
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components
 
@@ -182,9 +187,11 @@ def _parts(surfaces: list[Surface]) -> list[list[int]]:
     return list(parts.values())
 
 
-def _open(surfaces: list[Surface]) -> NDArray[np.bool_]:
-    """Whether a polygon has an edge that no other one runs along in the opposite direction, or hangs together with one
-    that has: a sheet, and not the surface of a body."""
+def _open(surfaces: list[DrawnPolygon]) -> NDArray[np.bool_]:
+    """Return whether each polygon is part of a sheet, and not of a body's surface: (n,).
+
+    A sheet has an edge along which no other polygon runs in the opposite direction.
+    """
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components
 

@@ -1,4 +1,4 @@
-"""Solving a scene from beginning to end, and what one does with the result."""
+"""What a solution is good for: numbers, pictures, files."""
 
 from __future__ import annotations
 
@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
-from glsim.radiosity.bake import GAMMA, automatic_white, radiosity_at, toned
-from glsim.radiosity.formfactors import FormFactors
-from glsim.radiosity.mesh import Mesh
+from glsim.radiosity.factors import Factors
+from glsim.radiosity.gather import radiosity_at
+from glsim.radiosity.mesh import PatchMesh
 from glsim.radiosity.patches import Patches
-from glsim.radiosity.scene import Scene, SceneError, View, view_of
-from glsim.radiosity.solvers import Factors, Step
+from glsim.radiosity.scene import SceneError, View, view_of
+from glsim.radiosity.solvers import SolverStep
+from glsim.radiosity.tone import GAMMA, automatic_white, toned
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -34,14 +35,14 @@ class Radiosity:
 
     B: (n, 3) per patch; steps: one for each iteration (only the last has its B); mesh, vertex_radiosity: triangles and
     the radiosity at their vertices (V, 3); seconds: by stage.  white: the radiosity that becomes white (None: chosen by
-    the scene), tone: see bake.TONES, gamma: of the screen.
+    the scene), tone: see tone.TONES, gamma: of the screen.
     """
 
     patches: Patches
     factors: Factors
-    steps: list[Step]
+    steps: list[SolverStep]
     B: Float
-    mesh: Mesh
+    mesh: PatchMesh
     vertex_radiosity: Float
     solver: str
     seconds: dict[str, float] = field(default_factory=dict)
@@ -52,7 +53,7 @@ class Radiosity:
     # ------------------------------------------------------------ numbers
 
     def report(self) -> dict[str, Any]:
-        """What a teacher asks: how many patches, how good, how long."""
+        """Return what a teacher asks: how many patches, how good, how long, as values for JSON."""
         sums = self.factors.row_sums
         error = np.abs(sums - 1.0)
         last = self.steps[-1]
@@ -72,25 +73,12 @@ class Radiosity:
 
     def draw(self, colors: Float | None = None) -> None:
         """Draw with the gl commands under the current matrices: vertex colours, GL_SMOOTH, no lighting, fronts only."""
-        from glsim import gl
+        from glsim.radiosity.view import draw_colors
 
-        gl.glDisable(gl.GL_LIGHTING)
-        gl.glShadeModel(gl.GL_SMOOTH)
-        gl.glEnable(gl.GL_DEPTH_TEST)
-        gl.glEnable(gl.GL_CULL_FACE)
-        gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
-        gl.glEnableClientState(gl.GL_COLOR_ARRAY)
-        shown = self.colors() if colors is None else colors
-        gl.glVertexPointer(3, gl.GL_FLOAT, 0, self.mesh.vertices.astype(np.float32))
-        gl.glColorPointer(3, gl.GL_FLOAT, 0, np.ascontiguousarray(shown, np.float32))
-        triangles = self.mesh.triangles.astype(np.uint32)
-        gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
-        for array in (gl.GL_VERTEX_ARRAY, gl.GL_COLOR_ARRAY):
-            gl.glDisableClientState(array)
-        gl.glDisable(gl.GL_CULL_FACE)
+        draw_colors(self.mesh, self.colors() if colors is None else colors)
 
     def colors(self, B: Float | None = None) -> Float:
-        """Colours for the screen, (V, 3) in [0, 1], of the vertices' radiosity or of another one."""
+        """Return colours for the screen, (V, 3) in [0, 1], of the vertices' radiosity or of another, B (V, 3)."""
         shown = self.vertex_radiosity if B is None else B
         return toned(shown, self.shown_white, self.tone, self.gamma)
 
@@ -102,20 +90,21 @@ class Radiosity:
     def picture(
         self, size: int = 512, view: int | View = 0, *, colors: Float | None = None, samples: int = 4
     ) -> Image.Image:
-        """The scene from one of its cameras.  colors: of the vertices (V, 3), instead of the radiosity."""
-        from glsim.render.context import offscreen
+        """Draw the scene from one of its cameras, ``size`` pixels wide and high.
 
-        with offscreen(size, size, samples=samples) as screen:
-            look(self.view(view), self.patches.scene)
-            self.draw(colors)
-            return screen.image()
+        colors: (V, 3) of the vertices, instead of those of the radiosity.
+        """
+        from glsim.radiosity.view import picture_of
+
+        shown = self.colors() if colors is None else colors
+        return picture_of(self.mesh, shown, self.patches.scene, self.view(view), size, samples)
 
     def direct(self) -> Float:
-        """Radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
+        """Return the radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
         return radiosity_at(self.factors, self.mesh.at, self.mesh.normals, self.mesh.patch, self.patches.E)
 
     def beside_direct(self, size: int = 512, view: int | View = 0) -> Image.Image:
-        """Direct illumination and radiosity from the same camera, side by side, with the same white."""
+        """Draw direct illumination and radiosity from the same camera, side by side, with the same white."""
         from glsim.pictures import tiles
 
         both = (("direct illumination", self.direct()), ("radiosity", self.vertex_radiosity))
@@ -123,19 +112,21 @@ class Radiosity:
         return tiles(self.patches.scene.name, [row], size)
 
     def view(self, which: int | View) -> View:
-        """A camera of the scene by its number.  Raises SceneError for one that is not there."""
+        """Return a camera of the scene by its number.  Raises SceneError for one that is not there."""
         if isinstance(which, View):
             return which
-        views = self.patches.scene.views or (view_of(np.concatenate(self.patches.scene.rings)),)
+        views = self.patches.scene.views or (view_of(np.concatenate(self.patches.scene.polygons)),)
         if not 0 <= which < len(views):
             many = "1 view" if len(views) == 1 else f"{len(views)} views"
             raise SceneError(f"{self.patches.scene.name} has {many}, numbered from 0; there is no {which}")
         return views[which]
 
     def row_picture(self, patch: int, size: int = 512, view: int | View = 0) -> Image.Image:
-        """Row ``patch`` of the form factors as colours on the scene: where light that leaves it arrives, for each
-        unit of area.  The patch itself is orange; white are the brightest 5 % of the vertices.  Raises SceneError if
-        there is no such patch."""
+        """Draw row ``patch`` of the form factors on the scene: how much of its light arrives, per unit of area.
+
+        The patch itself is orange; the brightest 5 % of the vertices are white.  Raises SceneError if there is no such
+        patch.
+        """
         if not 0 <= patch < len(self.patches):
             raise SceneError(f"patches are numbered from 0 to {len(self.patches) - 1}; there is no {patch}")
         row = self.factors.row(patch) / self.patches.area
@@ -152,18 +143,18 @@ class Radiosity:
         return self.picture(size, view, colors=shown)
 
     def convergence_picture(self) -> Image.Image:
-        """The residual over the iterations."""
+        """Draw the residual over the iterations."""
         from glsim.radiosity.plots import convergence
 
         return convergence({self.solver: self.steps})
 
     def matrix_picture(self, size: int = 640) -> Image.Image:
-        """The matrix of form factors, logarithmic.  Raises SceneError if there is none (hierarchical)."""
+        """Draw the matrix of form factors, logarithmically.  Raises SceneError if there is none (hierarchical)."""
         from glsim.radiosity.plots import matrix
 
-        if not isinstance(self.factors, FormFactors):
+        if self.factors.matrix is None:
             raise SceneError(f"{self.factors.method} form factors are no matrix that could be shown")
-        return matrix(self.factors.F, size)
+        return matrix(np.asarray(self.factors.matrix / self.patches.area[:, None], np.float64), size)
 
     def __repr__(self) -> str:
         name, n, last = self.patches.scene.name, len(self.patches), self.steps[-1]
@@ -174,7 +165,7 @@ class Radiosity:
         return self.picture()._repr_png_()
 
     def _repr_html_(self) -> str:
-        """The picture, and the report as a table."""
+        """Return HTML for a notebook: the picture, and the report as a table."""
         shown = b64encode(self._repr_png_() or b"").decode()
         lines = [(escape(name), escape(text)) for name, text in summary(self.report())]
         rows = "".join(f"<tr><td>{name}</td><td>{text}</td></tr>" for name, text in lines)
@@ -203,8 +194,11 @@ class Radiosity:
             write_atomically(path, lambda name: image.save(name))
 
     def arrays(self) -> dict[str, Any]:
-        """triangles (m, 3, 3), triangle_patch (m,); B, E, rho, normal (n, 3), area (n,) of the patches; vertices and
-        vertex_B (V, 3), vertex_triangles (m, 3)."""
+        """Return what an .npz holds.
+
+        triangles (m, 3, 3), triangle_patch (m,); B, E, rho, normal (n, 3), area (n,) of the patches; vertices and
+        vertex_B (V, 3), vertex_triangles (m, 3).
+        """
         p, mesh = self.patches, self.mesh
         return {
             "triangles": mesh.vertices[mesh.triangles], "triangle_patch": mesh.triangle_patch, "B": self.B, "E": p.E,
@@ -213,6 +207,7 @@ class Radiosity:
         }  # fmt: skip
 
     def _exported(self, kind: str) -> bytes:
+        """Return a .glb or .ply (``kind``) with vertex colours."""
         import trimesh
 
         colors = np.round(self.colors() * 255.0).astype(np.uint8)
@@ -224,7 +219,7 @@ class Radiosity:
 
 
 def _noticed(patches: Patches, sums: Float, leak: float) -> list[str]:
-    """What the rows tell of the scene."""
+    """Return notes on what the sums of rows (n,) and the share of light that escapes tell of the scene."""
     lamps = patches.E.max(axis=1) > 0.0
     if sums.max() < BLIND:
         return ["no patch sees another, so nothing is lit: a room whose normals are inverted? --flip turns them"]
@@ -239,7 +234,7 @@ def _noticed(patches: Patches, sums: Float, leak: float) -> list[str]:
 
 
 def summary(report: dict[str, Any]) -> list[tuple[str, str]]:
-    """A report as names and sentences."""
+    """Return a report as names and sentences."""
     mean, most, leak = (100.0 * report[name] for name in ("row_sum_error_mean", "row_sum_error_max", "leak"))
     sums = f"rows sum to 1 within {mean:.4f} % in the mean, {most:.2f} % at most; {max(leak, 0.0):.3f} % escapes"
     solved = f"{report['iterations']} iterations, residual {report['residual']:.2g}"
@@ -250,20 +245,3 @@ def summary(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("seconds", ", ".join(f"{stage} {value:.2f}" for stage, value in report["seconds"].items())),
         *(("note", note) for note in report["notes"]),
     ]
-
-
-def look(view: View, scene: Scene) -> None:
-    """Set projection and modelview for a camera, and clear."""
-    from glsim import gl
-    from glsim.glu.view import gluLookAt, gluPerspective
-
-    distance = float(np.linalg.norm(np.subtract(view.target, view.eye)))
-    far = distance + 2.0 * scene.size
-    gl.glClearColor(0.0, 0.0, 0.0, 1.0)
-    gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
-    gl.glMatrixMode(gl.GL_PROJECTION)
-    gl.glLoadIdentity()
-    gluPerspective(view.fov, 1.0, far / 2000.0, far)
-    gl.glMatrixMode(gl.GL_MODELVIEW)
-    gl.glLoadIdentity()
-    gluLookAt(*view.eye, *view.target, *view.up)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -42,11 +43,14 @@ class View(NamedTuple):
 
 @dataclass(frozen=True, repr=False)
 class Scene:
-    """rings: convex polygons (k, 3), k >= 3; material: of each, a number in ``materials``; group: of each, the number
-    of the object it belongs to (for smooth normals); views: the first is the usual one; notes: what was mended."""
+    """What is solved: polygons with materials, and cameras.
+
+    polygons: convex, (k, 3) each, k >= 3; material: for each its number in ``materials``; group: for each the number of
+    the object that it belongs to (for smooth normals); views: the first is the usual one; notes: what was mended.
+    """
 
     name: str
-    rings: tuple[Float, ...]
+    polygons: tuple[Float, ...]
     material: tuple[int, ...]
     materials: tuple[Material, ...]
     views: tuple[View, ...] = ()
@@ -54,39 +58,46 @@ class Scene:
     notes: tuple[str, ...] = field(default=())
 
     def __repr__(self) -> str:
-        polygons, lamps = len(self.rings), len(self.emitters)
+        polygons, lamps = len(self.polygons), len(self.emitters)
         return f"<Scene {self.name}: {polygons} polygons, {lamps} emitting, {len(self.materials)} materials>"
 
     @property
     def size(self) -> float:
-        """The diagonal of the bounding box."""
-        points = np.concatenate(self.rings)
+        """The length of the bounding box's diagonal."""
+        points = np.concatenate(self.polygons)
         return float(np.linalg.norm(np.ptp(points, axis=0)))
+
+    @cached_property
+    def normals(self) -> Float:
+        """Unit normals of the polygons, (number of polygons, 3)."""
+        return np.array([normal_of(polygon) for polygon in self.polygons])
 
     @property
     def emitters(self) -> list[int]:
-        """Numbers of the rings that emit."""
+        """The numbers of the polygons that emit."""
         return [k for k, m in enumerate(self.material) if max(self.materials[m].E) > 0.0]
 
     def flipped(self) -> Scene:
-        """The same with all fronts turned to the other side."""
-        return replace(self, rings=tuple(ring[::-1] for ring in self.rings))
+        """Return the scene with all fronts turned to the other side."""
+        return replace(self, polygons=tuple(polygon[::-1] for polygon in self.polygons))
 
     def triangles(self) -> Float:
-        """All polygons as fans: (m, 3, 3)."""
-        return np.array([(ring[0], ring[k], ring[k + 1]) for ring in self.rings for k in range(1, len(ring) - 1)])
+        """Return all polygons as fans of triangles: (m, 3, 3), one polygon after the other."""
+        return np.array(
+            [(polygon[0], polygon[k], polygon[k + 1]) for polygon in self.polygons for k in range(1, len(polygon) - 1)]
+        )
 
     def checked(self) -> Scene:
-        """The scene as the solver wants it; ``notes`` say what was mended.
+        """Return the scene as a solver needs it: planar convex polygons, each once; ``notes`` say what was mended.
 
         Raises SceneError for what cannot be mended: reflectances that are not in [0, 1), exitances below 0, coordinates
         that are not finite, no polygon, no emitter.
         """
         for material in self.materials:
             _check_material(material)
-        if not self.rings:
+        if not self.polygons:
             raise SceneError(f"{self.name}: there is no polygon")
-        kept: list[tuple[Float, int, int]] = []
+        good: list[tuple[Float, int, int]] = []
         flat, crooked, twice = (
             "degenerate polygons, dropped", "polygons that were not planar, split into triangles",
             "duplicate polygons, dropped",
@@ -95,24 +106,26 @@ class Scene:
         seen: set[Any] = set()
         scale = self.size
         groups = self.group or tuple(self.material)
-        for number, (given, paint, group) in enumerate(zip(self.rings, self.material, groups, strict=True)):
+        for number, (given, paint, group) in enumerate(zip(self.polygons, self.material, groups, strict=True)):
             if not np.isfinite(given).all():
                 raise SceneError(f"{self.name}: polygon {number} has coordinates that are not finite numbers")
             parts = _planar(_without_repeats(np.asarray(given, np.float64), scale))
             counts[crooked] += len(parts) > 1
             counts[flat] += not parts
-            for ring in parts:
-                way = tuple((np.round(normal_of(ring), 3) + 0.0).tolist())  # the other side of a sheet is no duplicate
-                key = frozenset(map(tuple, np.round(ring / scale, 7).tolist())), way
+            for polygon in parts:
+                normal = tuple(
+                    (np.round(normal_of(polygon), 3) + 0.0).tolist()
+                )  # the other side of a sheet is no duplicate
+                key = frozenset(map(tuple, np.round(polygon / scale, 7).tolist())), normal
                 counts[twice] += key in seen
                 if key not in seen:
                     seen.add(key)
-                    kept.append((ring, paint, group))
+                    good.append((polygon, paint, group))
         notes = [*self.notes, *(f"{words}: {count}" for words, count in counts.items() if count)]
-        if not kept:
+        if not good:
             raise SceneError(f"{self.name}: all polygons are degenerate (no area)")
-        rings, materials, kept_groups = zip(*kept, strict=True)
-        result = replace(self, rings=rings, material=materials, group=kept_groups, notes=tuple(notes))
+        polygons, materials, good_groups = zip(*good, strict=True)
+        result = replace(self, polygons=polygons, material=materials, group=good_groups, notes=tuple(notes))
         if not result.emitters:
             raise SceneError(
                 f"{self.name}: nothing emits light: give a material an exitance E > 0 (in a file: an emissive colour;"
@@ -122,6 +135,7 @@ class Scene:
 
 
 def _check_material(material: Material) -> None:
+    """Raise SceneError if rho or E is not what it may be."""
     name = f"material {material.name!r}"
     try:
         rho, E = np.asarray(material.rho, float), np.asarray(material.E, float)
@@ -140,65 +154,66 @@ def _check_material(material: Material) -> None:
 
 
 def view_of(points: Float) -> View:
-    """A camera for points (n, 3): from the front, a little above, so far that all is seen."""
+    """Return a camera that sees all points (n, 3), from the front and a little above."""
     low, high = points.min(axis=0), points.max(axis=0)
     middle, size = (low + high) / 2.0, float(np.linalg.norm(high - low))
     eye = middle + size * np.array([0.35, 0.3, 1.2])
     return View(tuple(eye.tolist()), tuple(middle.tolist()), fov=40.0)
 
 
-def normal_of(ring: Float) -> Float:
-    """Unit normal by Newell's method; zeros if the ring has no area."""
-    ring = ring - ring[0]
-    n = np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
+def normal_of(polygon: Float) -> Float:
+    """Return the unit normal (3,) of a polygon (k, 3) by Newell's method; zeros if it has no area."""
+    polygon = polygon - polygon[0]
+    n = np.cross(polygon, np.roll(polygon, -1, axis=0)).sum(axis=0)
     length = np.linalg.norm(n)
     return np.asarray(n / length if length > 0.0 else np.zeros(3))
 
 
-def area_of(ring: Float) -> float:
-    edges = ring[1:] - ring[0]
+def area_of(polygon: Float) -> float:
+    """Return the area of a planar polygon (k, 3)."""
+    edges = polygon[1:] - polygon[0]
     return float(np.linalg.norm(np.cross(edges[:-1], edges[1:]).sum(axis=0)) / 2.0)
 
 
-def _without_repeats(ring: Float, scale: float) -> Float:
-    """Without corners that are where the corner before is."""
-    apart = np.linalg.norm(ring - np.roll(ring, 1, axis=0), axis=1) > 1e-9 * scale
-    return np.asarray(ring[apart])
+def _without_repeats(polygon: Float, scale: float) -> Float:
+    """Return the polygon without corners that coincide with the corner before."""
+    apart = np.linalg.norm(polygon - np.roll(polygon, 1, axis=0), axis=1) > 1e-9 * scale
+    return np.asarray(polygon[apart])
 
 
-def _planar(ring: Float) -> list[Float]:
-    """The ring, or triangles if it is not planar or not convex; nothing if it has no area."""
-    if len(ring) < 3:
+def _planar(polygon: Float) -> list[Float]:
+    """Return the polygon if it is planar and convex, else triangles of it; nothing if it has no area."""
+    if len(polygon) < 3:
         return []
-    size = float(np.linalg.norm(np.ptp(ring, axis=0)))
-    normal = normal_of(ring)
-    if area_of(ring) < 1e-10 * size * size or not normal.any():
+    size = float(np.linalg.norm(np.ptp(polygon, axis=0)))
+    normal = normal_of(polygon)
+    if area_of(polygon) < 1e-10 * size * size or not normal.any():
         return []
-    if len(ring) == 3:
-        return [ring]
-    flat = np.abs((ring - ring[0]) @ normal).max() <= FLAT * size
-    turns = np.cross(np.roll(ring, -1, 0) - ring, np.roll(ring, -2, 0) - np.roll(ring, -1, 0)) @ normal
+    if len(polygon) == 3:
+        return [polygon]
+    flat = np.abs((polygon - polygon[0]) @ normal).max() <= FLAT * size
+    turns = np.cross(np.roll(polygon, -1, 0) - polygon, np.roll(polygon, -2, 0) - np.roll(polygon, -1, 0)) @ normal
     if flat and (turns >= -1e-9 * size * size).all():
-        return [ring]
-    if len(ring) == 4:  # along the diagonal that makes a hollow, so that neither triangle hides the other
-        hollow = (ring[3] - ring[0]) @ normal_of(ring[[0, 1, 2]]) >= 0.0
-        parts = [ring[[0, 1, 2]], ring[[0, 2, 3]]] if hollow else [ring[[0, 1, 3]], ring[[1, 2, 3]]]
+        return [polygon]
+    if len(polygon) == 4:  # along the diagonal that makes a hollow, so that neither triangle hides the other
+        hollow = (polygon[3] - polygon[0]) @ normal_of(polygon[[0, 1, 2]]) >= 0.0
+        parts = [polygon[[0, 1, 2]], polygon[[0, 2, 3]]] if hollow else [polygon[[0, 1, 3]], polygon[[1, 2, 3]]]
         if all(normal_of(part) @ normal > 0.0 for part in parts):
             return parts
-    return _ears(ring, normal)
+    return _ears(polygon, normal)
 
 
-def _ears(ring: Float, normal: Float) -> list[Float]:
-    """Triangles of a simple polygon, by cutting ears."""
-    corners = list(range(len(ring)))
+def _ears(polygon: Float, normal: Float) -> list[Float]:
+    """Cut a simple polygon into triangles, ear by ear."""
+    corners = list(range(len(polygon)))
     triangles = []
     while len(corners) > 3:
         for k in range(len(corners)):
             a, b, c = (corners[(k + d) % len(corners)] for d in (-1, 0, 1))
-            triangle = ring[[a, b, c]]
+            triangle = polygon[[a, b, c]]
             if normal_of(triangle) @ normal <= 0.0:
                 continue
-            others = ring[[m for m in corners if m not in (a, b, c)]]
+            others = polygon[[m for m in corners if m not in (a, b, c)]]
             if not _inside(others, triangle, normal).any():
                 triangles.append(triangle)
                 corners.pop(k)
@@ -206,14 +221,14 @@ def _ears(ring: Float, normal: Float) -> list[Float]:
         else:
             break
     if len(corners) == 3:
-        triangles.append(ring[corners])
+        triangles.append(polygon[corners])
     return triangles
 
 
-def _inside(points: Float, ring: Float, normal: Float) -> NDArray[np.bool_]:
-    """Which points of its plane are inside a convex ring."""
+def _inside(points: Float, polygon: Float, normal: Float) -> NDArray[np.bool_]:
+    """Return which points (n, 3) of its plane are inside a convex polygon: (n,)."""
     result = np.ones(len(points), bool)
-    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+    for a, b in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
         result &= np.cross(b - a, points - a) @ normal > 0.0
     return result
 
@@ -222,11 +237,12 @@ def _inside(points: Float, ring: Float, normal: Float) -> NDArray[np.bool_]:
 
 
 def quad(*corners: ArrayLike) -> Float:
+    """Return a polygon from its corners (x, y, z), counterclockwise as seen from its front."""
     return np.array(corners, np.float64)
 
 
 def box(low: Sequence[float], high: Sequence[float], inside: bool = False) -> list[Float]:
-    """The six faces of a box, fronts outwards, or ``inside`` inwards: -x, +x, -y, +y, -z, +z."""
+    """Return the six faces of a box, -x, +x, -y, +y, -z, +z; their fronts look outwards, with ``inside`` inwards."""
     (a, b, c), (d, e, f) = low, high
     faces = [
         quad((a, b, c), (a, b, f), (a, e, f), (a, e, c)), quad((d, b, c), (d, e, c), (d, e, f), (d, b, f)),
@@ -237,35 +253,39 @@ def box(low: Sequence[float], high: Sequence[float], inside: bool = False) -> li
 
 
 class Builder:
-    """Collects polygons: ``add`` takes rings of one material."""
+    """Collects polygons, one material after the other, for a Scene."""
 
     def __init__(self, name: str) -> None:
         self.name = name
-        self.rings: list[Float] = []
+        self.polygons: list[Float] = []
         self.material: list[int] = []
         self.group: list[int] = []
         self.materials: list[Material] = []
 
-    def add(self, rings: Iterable[ArrayLike], material: Material, smooth: bool = False) -> None:
-        """rings: polygons, each (k, 3).  smooth: they are one curved surface.  Raises SceneError for other shapes."""
+    def add(self, polygons: Iterable[ArrayLike], material: Material, smooth: bool = False) -> None:
+        """Add polygons (k, 3) of one material; ``smooth``: they are one curved surface.
+
+        Raises SceneError for other shapes.
+        """
         if material not in self.materials:
             self.materials.append(material)
         group = max(self.group, default=-1) + 1
-        for ring in rings:
+        for polygon in polygons:
             try:
-                corners = np.array(ring, np.float64)
+                corners = np.array(polygon, np.float64)
             except (TypeError, ValueError):
                 corners = np.zeros(0)
             if corners.ndim != 2 or corners.shape[1] != 3:
                 raise SceneError(
-                    f"{self.name}: add takes a list of polygons, each a list of corners (x, y, z), not {ring!r}"
+                    f"{self.name}: add takes a list of polygons, each a list of corners (x, y, z), not {polygon!r}"
                 )
-            self.rings.append(corners)
+            self.polygons.append(corners)
             self.material.append(self.materials.index(material))
             self.group.append(group)
             group += not smooth
 
     def scene(self, *views: View) -> Scene:
+        """Return the scene with these cameras."""
         return Scene(
-            self.name, tuple(self.rings), tuple(self.material), tuple(self.materials), views, tuple(self.group)
+            self.name, tuple(self.polygons), tuple(self.material), tuple(self.materials), views, tuple(self.group)
         )

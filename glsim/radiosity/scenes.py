@@ -85,10 +85,10 @@ def _placed(mesh: Mesh, at: tuple[float, float, float], size: float) -> list[Flo
 def _cylinder(at: tuple[float, float, float], radius: float, height: float, sides: int = 12) -> list[Float]:
     """An upright cylinder with a lid; open below."""
     angle = np.arange(sides) * 2 * np.pi / sides
-    ring = np.stack([radius * np.cos(angle), 0 * angle, -radius * np.sin(angle)], axis=1) + at
+    base = np.stack([radius * np.cos(angle), 0 * angle, -radius * np.sin(angle)], axis=1) + at
     up = np.array((0.0, height, 0.0))
-    top = ring + up
-    walls = [np.array([ring[k], ring[(k + 1) % sides], top[(k + 1) % sides], top[k]]) for k in range(sides)]
+    top = base + up
+    walls = [np.array([base[k], base[(k + 1) % sides], top[(k + 1) % sides], top[k]]) for k in range(sides)]
     middle = np.array(at) + up
     return [*walls, *(np.array([middle, top[k], top[(k + 1) % sides]]) for k in range(sides))]
 

@@ -12,14 +12,24 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.bake import averaged, gathered
-from glsim.radiosity.formfactors import METHODS, FormFactors, Progress, compute
-from glsim.radiosity.hierarchy import ACCURACY, linked, tree_of
+from glsim.radiosity.adapt import refined
+from glsim.radiosity.compiled import is_cached
+from glsim.radiosity.factors import Factors
+from glsim.radiosity.formfactors import FormFactors
+from glsim.radiosity.gather import averaged, gathered
+from glsim.radiosity.hierarchy import ACCURACY, linked
+from glsim.radiosity.load import scene_from
 from glsim.radiosity.mesh import mesh_of
-from glsim.radiosity.patches import subdivide
+from glsim.radiosity.methods import METHODS, compute
+from glsim.radiosity.pairs import rows
+from glsim.radiosity.progress import Progress, silent
+from glsim.radiosity.rays import Rays
 from glsim.radiosity.result import Radiosity
 from glsim.radiosity.scene import SceneError
-from glsim.radiosity.solvers import WITHOUT_MATRIX, Factors, Step, solved
+from glsim.radiosity.scenes import cornell
+from glsim.radiosity.solvers import WITHOUT_MATRIX, SolverStep, solved
+from glsim.radiosity.subdivide import subdivide
+from glsim.radiosity.tree import tree_of
 
 Float = NDArray[np.float64]
 VERTICES = ("gather", "average")
@@ -29,52 +39,49 @@ def solve(
     what: Any, patches: int = 2000, *, method: str = "contour", solver: str | None = None, tolerance: float = 1e-6,
     vertices: str = "gather", adaptive: bool = False, accuracy: float = ACCURACY, flip: bool = False,
     close: bool = False, threads: int | None = None, checkpoint: str | None = None, scheduler: str | None = None,
-    progress: Progress | None = None, on_step: Callable[[Step], object] | None = None,
+    progress: Progress | None = None, on_step: Callable[[SolverStep], object] | None = None,
 ) -> Radiosity:  # fmt: skip
-    """Radiosity of a scene.
+    """Solve the radiosity of a scene.
 
-    what: whatever load.scene_from takes.  patches: about how many.  method: of form factors, see formfactors.METHODS;
+    what: whatever load.scene_from takes.  patches: about how many.  method: of form factors, see methods.METHODS;
     "hierarchical" for more patches than there is memory for a matrix, with ``accuracy`` in mean radiosities (see
     hierarchy.linked).  solver: see solvers.SOLVERS; by default "gauss-seidel", and "cg" without a matrix.  adaptive:
     begin with fewer patches and divide those where the light changes fast.  vertices: "gather" (a final gather at each
     vertex) or "average" (of patches).  close: scale the form factors so that rows sum to 1, for closed scenes.  flip:
-    turn all fronts to the other side.  checkpoint: see formfactors.compute.  scheduler: the address of a Dask scheduler
-    on whose workers the form factors are found and used; checkpoint is then the name under which they stay there (see
+    turn all fronts to the other side.  checkpoint: see methods.compute.  scheduler: the address of a Dask scheduler
+    on whose workers the form factors are factors and used; checkpoint is then the name under which they stay there (see
     distributed.Blocks).  threads: for rays, by default one for each processor; the result does not depend on it.
     Raises SceneError.
     """
-    from glsim.radiosity.adapt import refined
-    from glsim.radiosity.kernels import kept, rows
-    from glsim.radiosity.load import scene_from
-
     _check(method, vertices, adaptive, close, scheduler)
     _check_numbers(patches, tolerance, accuracy, threads)
-    tell = progress or (lambda stage, done, of: None)
+    tell = progress or silent
     seconds: dict[str, float] = {}
     with _timed(seconds, "patches"):
         tell("patches", 0, 1)
         scene = scene_from(what)
         scene = (scene.flipped() if flip else scene).checked()
+        rays = Rays(scene, threads)
     with _timed(seconds, "compiled code"):
-        once = "only in the first run" if kept(rows) else "in each run: set NUMBA_CACHE_DIR to a folder to keep it"
+        once = "only in the first run" if is_cached(rows) else "in each run: set NUMBA_CACHE_DIR to a folder to keep it"
         tell(f"compiling ({once})", 0, 1)
         _compiled(method == "hierarchical")
         tell(f"compiling ({once})", 1, 1)
     if method == "hierarchical":
         with _timed(seconds, "patches"):
-            tree = tree_of(scene, patches)
+            tree = tree_of(scene, patches, rays)
             tell("patches", 1, 1)
-        found: Factors = linked(tree, accuracy, threads, tell, checkpoint=checkpoint)
+        whole: Factors = linked(tree, accuracy, rays, tell, checkpoint=checkpoint)
     else:
-        find = _finder(method, threads, scheduler, tell)
+        find = _finder(method, rays, scheduler, tell)
         with _timed(seconds, "patches"):
-            parts = subdivide(scene, patches // 4 if adaptive else patches)
+            parts = subdivide(scene, patches // 4 if adaptive else patches, rays=rays)
             tell("patches", 1, 1)
         if adaptive:
             with _timed(seconds, "refinement"):
                 parts = refined(parts, patches, find)
-        found = find(parts, checkpoint)
-    factors = found.closed() if close and isinstance(found, FormFactors) else found
+        whole = find(parts, checkpoint)
+    factors = whole.closed() if close and isinstance(whole, FormFactors) else whole
     seconds.update(factors.seconds)
     _sees_itself(factors)
     try:
@@ -87,45 +94,49 @@ def solve(
             shown = gathered(factors, mesh, B, tell) if gather else averaged(factors.patches, mesh, B)
     except KeyboardInterrupt:
         if checkpoint:
-            found.keep(checkpoint)
+            whole.keep(checkpoint)
         raise
     return Radiosity(factors.patches, factors, steps, B, mesh, shown, solver or _usual(factors), seconds)
 
 
 @cache
 def _compiled(hierarchical: bool) -> None:
-    """A small box from end to end, so that all that is compiled or loaded from the cache is there."""
-    from glsim.radiosity.scenes import cornell
-
+    """Solve a small box from end to end, so that everything is compiled or loaded from the cache."""
     scene = cornell().checked()
-    found: Factors = linked(tree_of(scene, 250)) if hierarchical else compute(subdivide(scene, 60))
-    gathered(found, mesh_of(found.patches), solved(found, _usual(found))[-1].B)
+    rays = Rays(scene, 1)
+    factors: Factors = (
+        linked(tree_of(scene, 250, rays), rays=rays)
+        if hierarchical
+        else compute(subdivide(scene, 60, rays=rays), rays=rays)
+    )
+    gathered(factors, mesh_of(factors.patches), solved(factors, _usual(factors))[-1].B)
 
 
-def _finder(method: str, threads: int | None, scheduler: str | None, tell: Progress) -> Any:
-    """What finds the form factors of patches: here, or on the workers of a scheduler."""
+def _finder(method: str, rays: Rays, scheduler: str | None, tell: Progress) -> Any:
+    """Return the function that finds the form factors of patches: here, or on the workers of a scheduler."""
     if scheduler is None:
-        return lambda parts, checkpoint=None: compute(
-            parts, method, threads=threads, progress=tell, checkpoint=checkpoint
-        )
+        return lambda parts, checkpoint=None: compute(parts, method, rays=rays, progress=tell, checkpoint=checkpoint)
     from glsim.radiosity.distributed import Blocks, connected
 
     client = connected(scheduler)
-    return lambda parts, name=None: Blocks(client, parts, tell, name, threads)
+    return lambda parts, name=None: Blocks(client, parts, tell, name, rays)
 
 
 @contextmanager
 def _timed(seconds: dict[str, float], stage: str) -> Iterator[None]:
+    """Add the time of a block to seconds[stage]."""
     start = time.perf_counter()
     yield
     seconds[stage] = seconds.get(stage, 0.0) + time.perf_counter() - start
 
 
 def _usual(factors: Factors) -> str:
-    return "gauss-seidel" if isinstance(factors, FormFactors) else WITHOUT_MATRIX[0]
+    """Return the name of the default solver."""
+    return WITHOUT_MATRIX[0] if factors.matrix is None else "gauss-seidel"
 
 
 def _check(method: str, vertices: str, adaptive: bool, close: bool, scheduler: str | None) -> None:
+    """Raise SceneError for names that do not exist and for choices that exclude each other."""
     if find_spec("embreex") is None:
         raise SceneError("radiosity needs the package embreex: pip install glsim[radiosity]")
     if vertices not in VERTICES:
@@ -139,6 +150,7 @@ def _check(method: str, vertices: str, adaptive: bool, close: bool, scheduler: s
 
 
 def _check_numbers(patches: int, tolerance: float, accuracy: float, threads: int | None) -> None:
+    """Raise SceneError for numbers out of their range."""
     for name, value in (("patches", patches), ("threads", 1 if threads is None else threads)):
         if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
             raise SceneError(f"{name} must be a whole number from 1 on, not {value!r}")
@@ -148,6 +160,7 @@ def _check_numbers(patches: int, tolerance: float, accuracy: float, threads: int
 
 
 def _sees_itself(factors: Factors) -> None:
+    """Raise SceneError if no patch sees another."""
     parts = factors.patches
     dark = parts.E.max(axis=1) == 0.0
     if dark.any() and float(factors.row_sums @ parts.area) < 1e-3 * float(parts.area.sum()):

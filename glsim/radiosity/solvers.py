@@ -1,4 +1,4 @@
-"""The linear system (I - R F) B = E, solved in the ways of the lecture: each a generator that yields every step.
+"""The linear system (I - R F) B = E, solved by textbook methods: each is a generator that yields every step.
 
 B_i = E_i + rho_i sum_j F_ij B_j for each channel.  Gathering (Jacobi, Gauss-Seidel) lets each patch collect what the
 others send; shooting lets the patch with most to give send it.  Sources: Cohen & Wallace (1993), chapter 5.
@@ -8,23 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.formfactors import FormFactors
-from glsim.radiosity.patches import Patches
+from glsim.radiosity.factors import Factors
+from glsim.radiosity.matrix import sweep
 from glsim.radiosity.scene import SceneError
-
-if TYPE_CHECKING:
-    from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 
 
-class Step(NamedTuple):
+class SolverStep(NamedTuple):
     """After one iteration.  B: (n, 3); residual: largest norm of E - (I - R F) B over the channels, relative to E's;
     balance: power that leaves the patches for good (absorbed or escaped) over the power emitted, 1 at the solution."""
 
@@ -34,39 +31,12 @@ class Step(NamedTuple):
     balance: float
 
 
-class Factors(Protocol):
-    """What a system needs to know of form factors: the matrix, or links that stand for it."""
-
-    @property
-    def patches(self) -> Patches: ...
-
-    @property
-    def method(self) -> str: ...
-
-    @property
-    def seconds(self) -> dict[str, float]: ...
-
-    @property
-    def row_sums(self) -> Float: ...
-
-    @property
-    def asymmetry(self) -> float: ...
-
-    def keep(self, checkpoint: str) -> None: ...
-
-    def row(self, i: int) -> Float: ...
-
-    def times(self, B: Float) -> Float: ...
-
-    @property
-    def visibility(self) -> Visibility: ...
-
-    def at_points(self, points: Float, ways: Float, patch: Int, B: Float) -> Float: ...
-
-
 @dataclass(frozen=True)
 class System:
-    """times: S B for B (n, 3); area: (n,); rho, E: (n, 3); S: (n, n) symmetric, if there is a matrix."""
+    """The equations of n patches in three channels.
+
+    times: returns S B for B (n, 3); area: (n,); rho, E: (n, 3); S: (n, n) symmetric, if there is a matrix.
+    """
 
     times: Callable[[Float], Float]
     area: Float
@@ -76,13 +46,12 @@ class System:
 
     @staticmethod
     def of(factors: Factors) -> System:
+        """Return the system of patches with these form factors."""
         patches = factors.patches
-        return System(
-            factors.times, patches.area, patches.rho, patches.E, factors.S if isinstance(factors, FormFactors) else None
-        )
+        return System(factors.times, patches.area, patches.rho, patches.E, factors.matrix)
 
     def gathered(self, B: Float) -> Float:
-        """Irradiance: sum_j F_ij B_j for each patch, (n, 3)."""
+        """Return the irradiance sum_j F_ij B_j of each patch, (n, 3)."""
         return self.times(B) / self.area[:, None]
 
     @property
@@ -93,23 +62,24 @@ class System:
         return self.S
 
     def matrix(self, channel: int) -> Float:
-        """I - R F for one channel, (n, n) float64."""
+        """Return I - R F for one channel, (n, n) float64."""
         result = -(self.rho[:, channel] / self.area)[:, None] * self.rows.astype(np.float64)
         result[np.diag_indices(len(result))] += 1.0
         return np.asarray(result)
 
-    def step(self, iteration: int, B: Float, arriving: Float | None = None) -> Step:
+    def step(self, iteration: int, B: Float, arriving: Float | None = None) -> SolverStep:
+        """Return the SolverStep for radiosities B (n, 3); arriving: their irradiance (n, 3), if it is known already."""
         H = self.gathered(B) if arriving is None else arriving
         residual = self.E + self.rho * H - B
         norms = np.linalg.norm(residual, axis=0) / np.maximum(np.linalg.norm(self.E, axis=0), 1e-300)
         emitted = float((self.area[:, None] * self.E).sum())
         lost = float((self.area[:, None] * (B - self.rho * H)).sum())
         used = norms[np.linalg.norm(self.E, axis=0) > 0.0]
-        return Step(iteration, B, float(used.max(initial=0.0)), lost / emitted if emitted else 1.0)
+        return SolverStep(iteration, B, float(used.max(initial=0.0)), lost / emitted if emitted else 1.0)
 
 
-def lu(system: System) -> Iterator[Step]:
-    """Direct: LU factorisation of each channel's matrix."""
+def lu(system: System) -> Iterator[SolverStep]:
+    """Solve directly, by LU factorisation of each channel's matrix: one step."""
     from scipy.linalg import lu_factor, lu_solve
 
     B = np.empty_like(system.E)
@@ -119,11 +89,12 @@ def lu(system: System) -> Iterator[Step]:
 
 
 def _exact(system: System, B: Float) -> Float:
+    """Return the irradiance (n, 3), calculated in float64 throughout."""
     return np.asarray(system.rows.astype(np.float64) @ B / system.area[:, None])
 
 
-def jacobi(system: System) -> Iterator[Step]:
-    """Gathering: all patches at once.  Iteration k is the light after k bounces."""
+def jacobi(system: System) -> Iterator[SolverStep]:
+    """Gather with all patches at once.  Iteration k is the light after k bounces."""
     B = system.E.copy()
     iteration = 0
     while True:
@@ -133,33 +104,29 @@ def jacobi(system: System) -> Iterator[Step]:
         iteration += 1
 
 
-def gauss_seidel(system: System, omega: float = 1.0) -> Iterator[Step]:
-    """Gathering one patch after the other, with what the others have already gathered; omega: over-relaxation."""
+def gauss_seidel(system: System, omega: float = 1.0) -> Iterator[SolverStep]:
+    """Gather with one patch after the other, from what the others have already gathered; omega: over-relaxation."""
     if not 0.0 < omega < 2.0:
         raise SceneError(f"over-relaxation converges for omega between 0 and 2, not {omega}")
     B = system.E.copy()
     iteration = 0
     yield system.step(0, B)
     while True:
-        _sweep(system, B, omega)
+        sweep(system.rows, system.area, system.rho, system.E, B, omega)
         iteration += 1
         yield system.step(iteration, B.copy())
 
 
-def _sweep(system: System, B: Float, omega: float) -> None:
-    from glsim.radiosity.sweep import sweep
-
-    sweep(system.rows, system.area, system.rho, system.E, B, omega)
-
-
-def sor(system: System) -> Iterator[Step]:
-    """Successive over-relaxation with omega = 1.15."""
+def sor(system: System) -> Iterator[SolverStep]:
+    """Gather with successive over-relaxation, omega = 1.15."""
     return gauss_seidel(system, 1.15)
 
 
-def conjugate_gradients(system: System) -> Iterator[Step]:
-    """On the symmetric form (A / rho - S) B = A E / rho, preconditioned by the diagonal, the three channels side by
-    side; patches that reflect nothing have B = E and stay out."""
+def conjugate_gradients(system: System) -> Iterator[SolverStep]:
+    """Solve by conjugate gradients, preconditioned by the diagonal, the three channels side by side.
+
+    They need a symmetric system: (A / rho - S) B = A E / rho.  Patches that reflect nothing have B = E and stay out.
+    """
     free = system.rho > 0.0
     diagonal = np.where(free, system.area[:, None] / np.where(free, system.rho, 1.0), 1.0)
     B = system.E.copy()
@@ -182,9 +149,12 @@ def conjugate_gradients(system: System) -> Iterator[Step]:
         iteration += 1
 
 
-def shooting(system: System, ambient: bool = False, many: int | None = None) -> Iterator[Step]:
-    """Progressive refinement (Cohen et al. 1988): the patch with most unshot power shoots.  A step is ``many`` shots
-    (default: a twentieth of the patches).  ambient: B with the estimate of what is still to come, for display."""
+def shooting(system: System, ambient: bool = False, many: int | None = None) -> Iterator[SolverStep]:
+    """Shoot: the patch with most unshot power sends it to all others (progressive refinement, Cohen et al. 1988).
+
+    A step is ``many`` shots, by default a twentieth of the patches.  ambient: add to B an estimate of what is still to
+    come, for display.
+    """
     B, unshot = system.E.copy(), system.E.copy()
     n = len(B)
     shots = many or max(1, n // 20)
@@ -206,7 +176,7 @@ def shooting(system: System, ambient: bool = False, many: int | None = None) -> 
         iteration += 1
 
 
-SOLVERS: dict[str, Callable[[System], Iterator[Step]]] = {
+SOLVERS: dict[str, Callable[[System], Iterator[SolverStep]]] = {
     "gauss-seidel": gauss_seidel, "jacobi": jacobi, "sor": sor, "cg": conjugate_gradients, "shooting": shooting,
     "lu": lu,
 }  # fmt: skip
@@ -215,15 +185,15 @@ WITHOUT_MATRIX = ("cg", "jacobi")  # solvers that only multiply by it
 
 def solved(
     factors: Factors, solver: str = "gauss-seidel", *, tolerance: float = 1e-6, most: int = 1000,
-    progress: Callable[[Step], object] | None = None,
-) -> list[Step]:  # fmt: skip
-    """All steps up to the one whose residual is at most ``tolerance``; only the last keeps its own B.
+    progress: Callable[[SolverStep], object] | None = None,
+) -> list[SolverStep]:  # fmt: skip
+    """Return all steps up to the one whose residual is at most ``tolerance``; only the last keeps its own B.
 
     Raises SceneError for an unknown solver, and if ``most`` steps are not enough.
     """
     if solver not in SOLVERS:
         raise SceneError(f"the solvers are {', '.join(SOLVERS)}, not {solver!r}")
-    steps: list[Step] = []
+    steps: list[SolverStep] = []
     for step in SOLVERS[solver](System.of(factors)):
         steps.append(step)
         if len(steps) > 1:

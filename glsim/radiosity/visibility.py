@@ -1,30 +1,29 @@
-"""How much of one patch another one sees: rays between low-discrepancy points, against the original polygons.
+"""How much of one patch another one sees: rays between sample points, against the scene's polygons.
 
 The share of a pair's form factor that is not blocked is sum w V / sum w, over rays with the kernel's weights
 w = cos(theta_1) cos(theta_2) / r^2.  Sixteen rays first; where they disagree, 48 more, in groups of sixteen.  The
 points depend on the pair alone, so results are the same however many threads work.  Of few patches, all large, each
 pair gets twice as many.
 
-A small share, as through a distant door, is often missed by all of the first rays.  Since that pair is then taken as
-hidden, the others must make up for it: of the later groups only those count whose rays disagree too.  So the mean over
-many pairs is right, whichever group comes first: a group that agrees would have ended the search, and one that does not
-would have been averaged with all that do not.
+Why only some of the later groups count.  Through a distant door the true share may be 0.02, and then the first 16 rays
+of most pairs are all blocked: such a pair is taken as hidden.  Were the shares of the other pairs right, the mean over
+all pairs would be too small.  So a pair whose first rays disagree adds only those later groups whose rays disagree too:
+its share becomes larger, by as much as the hidden pairs lack, because every group of rays, whether it comes first or
+later, is then taken under the same condition.
 """
 
 from __future__ import annotations
 
-import os
 import threading
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.bodies import ASK, GAP, HIDDEN, bodies_of, judge
-from glsim.radiosity.kernels import jit
+from glsim.radiosity.bodies import ASK, HIDDEN, bodies_of, judge
 from glsim.radiosity.patches import Patches
-from glsim.radiosity.scene import Scene
+from glsim.radiosity.rays import Rays, Single
+from glsim.radiosity.samples import add_seen, rays_between, rays_from_points
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
@@ -39,236 +38,84 @@ _ROOT = 1.1673039782614187  # x^5 = x + 1
 TABLE = np.outer(np.arange(2 * (FIRST + MORE)), [_ROOT**-k for k in range(1, 5)]) % 1.0
 
 
-@jit
-def _rays(
-    rings: Any, counts: Any, normals: Any, pairs: Any, table: Any, gap: float, first: int, count: int, origins: Any,
-    ways: Any, weights: Any,
-) -> None:  # fmt: skip
-    """Rays first .. first + count of each pair: origins, ways (count per pair, 3) float32, and weights.
-
-    table: where each ray begins and ends, (rays, 4) in [0, 1), shifted for each pair; gap: how far in front of the
-    patches both ends are, so that the ray does not meet the patches themselves.
-    """
-    e, shift = np.empty((2, 4, 3)), np.empty(4)
-    for row in range(len(pairs)):
-        i, j = pairs[row, 0], pairs[row, 1]
-        seed = np.uint64(i) * np.uint64(0x9E3779B97F4A7C15) + np.uint64(j) * np.uint64(0xC2B2AE3D27D4EB4F)
-        for k in range(4):  # splitmix64
-            seed = seed + np.uint64(0x9E3779B97F4A7C15)
-            z = seed
-            z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
-            z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
-            z = z ^ (z >> np.uint64(31))
-            shift[k] = float(z >> np.uint64(11)) / 9007199254740992.0
-        o_0, o_u, o_v = _edges(rings[i], counts[i], normals[i], e[0])
-        t_0, t_x, t_y = _edges(rings[j], counts[j], normals[j], e[1])
-        one, two = counts[i] == 3, counts[j] == 3
-        (ax, ay, az), (bx, by, bz), (cx, cy, cz), (dx, dy, dz) = e[0]
-        (fx, fy, fz), (gx, gy, gz), (hx, hy, hz), (kx, ky, kz) = e[1]
-        (mx, my, mz), (nx, ny, nz) = normals[i], normals[j]
-        fx, fy, fz = fx - ax, fy - ay, fz - az
-        for s in range(count):  # written out: this is where the time goes
-            u, v = table[first + s, 0] + shift[0], table[first + s, 1] + shift[1]
-            x, y = table[first + s, 2] + shift[2], table[first + s, 3] + shift[3]
-            u, v = u - (u >= 1.0), v - (v >= 1.0)
-            x, y = x - (x >= 1.0), y - (y >= 1.0)
-            if one and u + v > 1.0:
-                u, v = 1.0 - u, 1.0 - v
-            if two and x + y > 1.0:
-                x, y = 1.0 - x, 1.0 - y
-            uv, xy = u * v, x * y
-            px, py, pz = u * bx + v * cx + uv * dx, u * by + v * cy + uv * dy, u * bz + v * cz + uv * dz
-            wx = fx + x * gx + y * hx + xy * kx - px
-            wy = fy + x * gy + y * hy + xy * ky - py
-            wz = fz + x * gz + y * hz + xy * kz - pz
-            squared = wx * wx + wy * wy + wz * wz
-            c_1, c_2 = wx * mx + wy * my + wz * mz, -(wx * nx + wy * ny + wz * nz)
-            at = row * count + s
-            origins[at, 0] = ax + px + gap * mx
-            origins[at, 1] = ay + py + gap * my
-            origins[at, 2] = az + pz + gap * mz
-            ways[at, 0] = wx + gap * (nx - mx)
-            ways[at, 1] = wy + gap * (ny - my)
-            ways[at, 2] = wz + gap * (nz - mz)
-            density = (o_0 + u * o_u + v * o_v) * (t_0 + x * t_x + y * t_y)
-            weights[at] = density * c_1 * c_2 / (squared * squared) if c_1 > 0.0 and c_2 > 0.0 else 0.0
-
-
-@jit
-def _edges(ring: Any, count: int, n: Any, e: Any) -> tuple[float, float, float]:
-    """A patch as e_0 + u e_1 + v e_2 + u v e_3; a, b, c of its area for each unit of u and v, a + b u + c v."""
-    for k in range(3):
-        e[0, k], e[1, k] = ring[0, k], ring[1, k] - ring[0, k]
-        if count == 3:
-            e[2, k], e[3, k] = ring[2, k] - ring[0, k], 0.0
-        else:
-            e[2, k] = ring[3, k] - ring[0, k]
-            e[3, k] = ring[2, k] - ring[1, k] - e[2, k]
-    return _triple(n, e[1], e[2]), _triple(n, e[1], e[3]), _triple(n, e[3], e[2])
-
-
-@jit
-def _triple(n: Any, a: Any, b: Any) -> float:
-    """n . (a x b)"""
-    return float(
-        n[0] * (a[1] * b[2] - a[2] * b[1]) + n[1] * (a[2] * b[0] - a[0] * b[2]) + n[2] * (a[0] * b[1] - a[1] * b[0])
-    )
-
-
-@jit
-def _point_rays(
-    points: Any, normals: Any, rows: Any, rings: Any, counts: Any, facing: Any, columns: Any, gap: float, first: int,
-    count: int, origins: Any, ways: Any, weights: Any,
-) -> None:  # fmt: skip
-    """Rays from points to low-discrepancy points of patches (the two-dimensional sequence)."""
-    q, e = np.empty(3), np.empty((4, 3))
-    for row in range(len(rows)):
-        v, j = rows[row], columns[row]
-        t_0, t_x, t_y = _edges(rings[j], counts[j], facing[j], e)
-        for s in range(count):
-            x, y = 0.5 + (first + s) * 0.7548776662466927, 0.5 + (first + s) * 0.5698402909980532
-            x, y = x - np.floor(x), y - np.floor(y)
-            _point(rings[j], counts[j], x, y, q)
-            squared = c_1 = c_2 = 0.0
-            at = row * count + s
-            for k in range(3):
-                way = q[k] - points[v, k]
-                squared += way * way
-                c_1 += way * normals[v, k]
-                c_2 -= way * facing[j, k]
-            for k in range(3):
-                origins[at, k] = points[v, k] + gap * normals[v, k]
-                ways[at, k] = q[k] - points[v, k] + gap * (facing[j, k] - normals[v, k])
-            density = t_0 + x * t_x + y * t_y
-            weights[at] = density * max(c_1, 0.0) * max(c_2, 0.0) / (squared * squared) if squared > 0.0 else 0.0
-
-
-@jit
-def _point(ring: Any, count: int, u: float, v: float, out: Any) -> None:
-    """A point of a quad (bilinear) or of a triangle (folded)."""
-    if count == 3:
-        if u + v > 1.0:
-            u, v = 1.0 - u, 1.0 - v
-        for k in range(3):
-            out[k] = ring[0, k] + u * (ring[1, k] - ring[0, k]) + v * (ring[2, k] - ring[0, k])
-    else:
-        for k in range(3):
-            a = ring[0, k] + u * (ring[1, k] - ring[0, k])
-            b = ring[3, k] + u * (ring[2, k] - ring[3, k])
-            out[k] = a + v * (b - a)
-
-
-@jit
-def _add(weights: Any, hit: Any, count: int, group: int, decided: bool, seen: Any, total: Any) -> None:
-    """Adds the weights of ``count`` rays for each pair, and of those that nothing is hit by; with ``decided`` only of
-    those groups of ``group`` rays that disagree."""
-    for row in range(len(seen)):
-        for first in range(row * count, (row + 1) * count, group):
-            free = whole = 0.0
-            for ray in range(first, first + group):
-                whole += weights[ray]
-                if hit[ray] < 0:
-                    free += weights[ray]
-            if not decided or 0.0 < free < whole:
-                seen[row] += free
-                total[row] += whole
-
-
 class Visibility:
-    """Rays against the triangles of a scene.
+    """How much patches of a scene see of each other.
 
-    middle: of the scene; single precision is enough around it, wherever the scene is.  Outside of ``bodies`` (see
-    ``bodies_of``) nothing can block; None if they are too many to be of use.
+    rays: of the scene; bodies: convex regions outside of which nothing can block, see bodies.bodies_of; None if they
+    are too many to be of use.
     """
 
-    def __init__(self, scene: Scene, threads: int | None = None) -> None:
-        from embreex.mesh_construction import TriangleMesh
-        from embreex.rtcore_scene import EmbreeScene
-
-        self.scene: Any = EmbreeScene()
-        triangles = scene.triangles()
-        self.middle = (triangles.min(axis=(0, 1)) + triangles.max(axis=(0, 1))) / 2.0
-        self.mesh = TriangleMesh(self.scene, np.ascontiguousarray(triangles - self.middle, np.float32))
-        self.gap = GAP * scene.size
-        self.bodies = bodies_of(scene)
-        self.kept: tuple[Float, NDArray[np.float32]] | None = None
+    def __init__(self, rays: Rays) -> None:
+        self.rays = rays
+        self.bodies = bodies_of(rays.scene)
+        self.last_reach: tuple[Float, Single] | None = None
         self.local = threading.local()
-        self.pool = ThreadPoolExecutor(threads or os.cpu_count() or 1)
-        self.scene.run(np.zeros((1, 3), np.float32), np.ones((1, 3), np.float32))  # builds Embree's tree, once
 
-    def blocked(self, origins: NDArray[np.float32], ways: NDArray[np.float32]) -> NDArray[np.int32]:
-        """For each ray, from an origin (counted from ``middle``) along the whole of its way: -1 if nothing is hit."""
-        return np.asarray(self.scene.run(origins, ways, dists=self._ones(len(origins)), query="OCCLUDED"))
+    def fractions(self, corners: Float, counts: Int, normals: Float, pairs: Int) -> Float:
+        """Return the share of each pair's form factor that is not blocked: (k,), in [0, 1].
 
-    def between(self, starts: Float, ends: Float) -> NDArray[np.bool_]:
-        """Whether points (n, 3) see other points."""
-        way = ends - starts
-        off = np.minimum(self.gap / np.maximum(np.linalg.norm(way, axis=1), 1e-300), 0.5)[:, None]
-        origins = (starts - self.middle + off * way).astype(np.float32)
-        return self.blocked(origins, ((1.0 - 2.0 * off) * way).astype(np.float32)) < 0
+        corners: (n, 4, 3), counts (n,), normals (n, 3) of the patches; pairs: (k, 2), their numbers.
+        """
+        return self.asked(corners, counts, normals, pairs)[0]
 
-    def _ones(self, size: int) -> NDArray[np.float32]:
-        """How far rays go: the whole way.  Embree writes into it."""
-        kept = getattr(self.local, "ones", None)
-        if kept is None or len(kept) < size:
-            kept = self.local.ones = np.empty(size, np.float32)
-        kept[:size] = 1.0
-        return np.asarray(kept[:size])
+    def asked(self, corners: Float, counts: Int, normals: Float, pairs: Int) -> tuple[Float, Int]:
+        """Return the same shares as ``fractions``, and the numbers of the pairs for which rays were sent.
 
-    def fractions(self, rings: Float, counts: Int, normals: Float, pairs: Int) -> Float:
-        """The share of the form factor of each pair (k, 2) that is not blocked, (k,) in [0, 1]."""
-        return self.asked(rings, counts, normals, pairs)[0]
-
-    def asked(self, rings: Float, counts: Int, normals: Float, pairs: Int) -> tuple[Float, Int]:
-        """The same, and the numbers of the pairs for which rays were needed: of the others the share is certain."""
-        reach = self._reach_of(rings)
+        The bodies alone decide the other pairs, whose shares, 0 or 1, are certain.
+        """
+        reach = self._reach_of(corners)
         result, asked = self._judged(reach, reach, pairs[:, 0], pairs[:, 1])
-        rings = rings - self.middle
+        corners = corners - self.rays.middle
         chunks = [asked[k : k + CHUNK] for k in range(0, len(asked), CHUNK)]
-        work = self.pool.map(lambda chunk: self._chunk(rings, counts, normals, pairs[chunk]), chunks)
+        work = self.rays.pool.map(lambda chunk: self._chunk(corners, counts, normals, pairs[chunk]), chunks)
         for chunk, values in zip(chunks, work, strict=True):
             result[chunk] = values
         return result, asked
 
-    def _reach_of(self, rings: Float) -> NDArray[np.float32] | None:
-        """Bodies.reach, remembered for the patches that were asked for last."""
+    def _reach_of(self, corners: Float) -> Single | None:
+        """Return Bodies.reach of patches with these corners, remembered for the patches that were asked for last."""
         if self.bodies is None:
             return None
-        if self.kept is None or self.kept[0] is not rings:
-            self.kept = rings, self.bodies.reach(rings)
-        return self.kept[1]
+        if self.last_reach is None or self.last_reach[0] is not corners:
+            self.last_reach = corners, self.bodies.reach(corners)
+        return self.last_reach[1]
 
-    def _judged(
-        self, one: NDArray[np.float32] | None, two: NDArray[np.float32] | None, rows: Int, columns: Int
-    ) -> tuple[Float, Int]:
-        """The share of each pair that is seen, as far as the bodies tell, and which pairs need rays."""
+    def _judged(self, one: Single | None, two: Single | None, rows: Int, columns: Int) -> tuple[Float, Int]:
+        """Return the share of each pair (k,) as far as the bodies tell it, and the numbers of the pairs that need rays.
+
+        one, two: Bodies.reach of the ends ``rows`` (k,) and ``columns`` (k,).
+        """
         bodies = self.bodies
         if bodies is None:
             return np.ones(len(rows)), np.arange(len(rows))
         verdict = np.empty(len(rows), np.uint8)
 
         def judged(k: int) -> None:
+            """Judge CHUNK pairs from number k on."""
             part = slice(k, k + CHUNK)
             judge(one, two, rows[part], columns[part], bodies.starts, bodies.solid, bodies.exact, verdict[part])
 
-        list(self.pool.map(judged, range(0, len(rows), CHUNK)))
+        list(self.rays.pool.map(judged, range(0, len(rows), CHUNK)))
         return (verdict != HIDDEN).astype(np.float64), np.flatnonzero(verdict == ASK)
 
     def from_points(
-        self, points: Float, ways: Float, patches: Patches, rows: Int, columns: Int, dim: NDArray[np.bool_]
+        self, points: Float, normals: Float, patches: Patches, rows: Int, columns: Int, dim: NDArray[np.bool_]
     ) -> Float:
-        """The share of the form factor from points[rows], with normals ``ways``, to patches[columns] that is seen.
-        Those from which little light comes (``dim``) get fewer rays."""
+        """Return the share of the form factor from points[rows] to patches[columns] that is not blocked: (k,).
+
+        points: (m, 3), with unit normals (m, 3); rows, columns: (k,); dim: (k,), pairs along which little light
+        comes, to which fewer rays are sent.
+        """
         reach = self.bodies.reach(points[:, None]) if self.bodies is not None else None
-        result, asked = self._judged(reach, self._reach_of(patches.rings), rows, columns)
+        result, asked = self._judged(reach, self._reach_of(patches.corners), rows, columns)
         few, many = asked[dim[asked]], asked[~dim[asked]]
-        points, rings = points - self.middle, patches.rings - self.middle
+        points, corners = points - self.rays.middle, patches.corners - self.rays.middle
         work = [(few[k : k + CHUNK], FEW_RAYS, 0) for k in range(0, len(few), CHUNK)]
         work += [(many[k : k + CHUNK], POINT_RAYS, MORE) for k in range(0, len(many), CHUNK)]
 
         def one(chunk: Int, count: int, more: int) -> Float:
             seen, total = np.zeros(len(chunk)), np.zeros(len(chunk))
-            arrays = (points, ways, rows[chunk], rings, patches.counts, patches.normal, columns[chunk])
+            arrays = (points, normals, rows[chunk], corners, patches.counts, patches.normal, columns[chunk])
             self._send(arrays, 0, count, count, seen, total)
             mixed = np.flatnonzero((seen > 0.0) & (seen < total))
             if more and len(mixed):
@@ -279,43 +126,47 @@ class Visibility:
                 total[mixed] += total_more
             return np.divide(seen, total, out=np.zeros_like(seen), where=total > 0.0)
 
-        for (chunk, _, _), values in zip(work, self.pool.map(lambda task: one(*task), work), strict=True):
+        for (chunk, _, _), values in zip(work, self.rays.pool.map(lambda task: one(*task), work), strict=True):
             result[chunk] = values
         return result
 
     def _send(self, arrays: Any, first: int, count: int, group: int, seen: Float, total: Float) -> None:
-        origins, ways, weights = self._room(len(seen) * count)
-        points, normals, rows, rings, counts, facing, columns = arrays
-        _point_rays(
-            points, normals, rows, rings, counts, facing, columns, self.gap, first, count, origins, ways, weights
+        """Send the rays ``first`` to ``first + count`` of each point and patch, and add their weights, see add_seen."""
+        origins, directions, weights = self._arrays(len(seen) * count)
+        points, normals, rows, corners, counts, facing, columns = arrays
+        patches = (corners, counts, facing)
+        rays_from_points(
+            points, normals, rows, *patches, columns, self.rays.gap, first, count, origins, directions, weights
         )
-        _add(weights, self.blocked(origins, ways), count, group, first > 0, seen, total)
+        add_seen(weights, self.rays.blocked(origins, directions), count, group, first > 0, seen, total)
 
-    def _chunk(self, rings: Float, counts: Int, normals: Float, pairs: Int) -> Float:
+    def _chunk(self, corners: Float, counts: Int, normals: Float, pairs: Int) -> Float:
+        """Return the share of each pair (k, 2) by rays alone, in this thread: (k,)."""
         seen, total = np.zeros(len(pairs)), np.zeros(len(pairs))
-        times = 2 if len(rings) < FEW else 1
+        times = 2 if len(corners) < FEW else 1
         group = times * FIRST
-        self._shoot(rings, counts, normals, pairs, 0, group, group, seen, total)
+        self._shoot(corners, counts, normals, pairs, 0, group, group, seen, total)
         mixed = np.flatnonzero((seen > 0.0) & (seen < total))
         if len(mixed):
             more, of = np.zeros(len(mixed)), np.zeros(len(mixed))
-            self._shoot(rings, counts, normals, pairs[mixed], group, times * MORE, group, more, of)
+            self._shoot(corners, counts, normals, pairs[mixed], group, times * MORE, group, more, of)
             seen[mixed] += more
             total[mixed] += of
         return np.divide(seen, total, out=np.zeros_like(seen), where=total > 0.0)
 
     def _shoot(
-        self, rings: Float, counts: Int, normals: Float, pairs: Int, first: int, count: int, group: int, seen: Float,
+        self, corners: Float, counts: Int, normals: Float, pairs: Int, first: int, count: int, group: int, seen: Float,
         total: Float,
     ) -> None:  # fmt: skip
-        origins, ways, weights = self._room(len(pairs) * count)
-        _rays(rings, counts, normals, pairs, TABLE, self.gap, first, count, origins, ways, weights)
-        _add(weights, self.blocked(origins, ways), count, group, first > 0, seen, total)
+        """Send the rays ``first`` to ``first + count`` of each pair, and add their weights, see add_seen."""
+        origins, directions, weights = self._arrays(len(pairs) * count)
+        rays_between(corners, counts, normals, pairs, TABLE, self.rays.gap, first, count, origins, directions, weights)
+        add_seen(weights, self.rays.blocked(origins, directions), count, group, first > 0, seen, total)
 
-    def _room(self, size: int) -> tuple[NDArray[np.float32], NDArray[np.float32], Float]:
-        """Arrays for so many rays: each thread's own, again and again."""
-        kept = getattr(self.local, "room", None)
-        if kept is None or len(kept[2]) < size:
-            kept = np.empty((size, 3), np.float32), np.empty((size, 3), np.float32), np.empty(size)
-            self.local.room = kept
-        return kept[0][:size], kept[1][:size], kept[2][:size]
+    def _arrays(self, size: int) -> tuple[Single, Single, Float]:
+        """Return origins, directions and weights for ``size`` rays; each thread has its own arrays and reuses them."""
+        arrays = getattr(self.local, "arrays", None)
+        if arrays is None or len(arrays[2]) < size:
+            arrays = np.empty((size, 3), np.float32), np.empty((size, 3), np.float32), np.empty(size)
+            self.local.arrays = arrays
+        return arrays[0][:size], arrays[1][:size], arrays[2][:size]

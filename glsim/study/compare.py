@@ -157,7 +157,7 @@ def compare(
         function); also "direct" (direct illumination with soft shadows) and "radiosity" (with interreflection, solved
         with ``patches`` patches), where the light comes from the emitting surfaces of a radiosity.Scene, or of a scene
         that glsim.radiosity.solve takes, seen through its camera number ``view``.  The other modes then approximate the
-        emitters by OpenGL lights (see radiosity.lit).
+        emitters by OpenGL lights (see radiosity.pointlights).
     lobes: "blinn" and/or "phong".  size: of each picture, in pixels.
     lights, material, camera: instead of the scene's own; not for a function, which sets its own.
     progress: called with what is being done, for work that takes long.
@@ -215,8 +215,8 @@ def _compare_radiosity(
 ) -> Comparison:
     """Compare a radiosity scene: lit by OpenGL lights, by direct illumination with shadows, and by radiosity."""
     from glsim.radiosity import solve
-    from glsim.radiosity.bake import toned
-    from glsim.radiosity.lit import draw_lit
+    from glsim.radiosity.tone import toned
+    from glsim.radiosity.view import draw_point_lights
     from glsim.render.context import own_screen
 
     result = solve(what, patches, progress=lambda stage, done, of: tell(f"{stage}: {100 * done // max(of, 1)} %"))
@@ -225,7 +225,7 @@ def _compare_radiosity(
     samples = 0 if "native" in modes else 4  # the driver's fixed function is drawn without
     with own_screen(size, size, samples=samples) as screen:
         with capture(calls="native" in modes) as frame:
-            draw_lit(result, result.view(view), result.shown_white)
+            draw_point_lights(result, result.view(view), result.shown_white)
         for mode in modes:
             tell(f"drawing {MODES[mode]}")
             if mode in RADIOSITY_MODES:

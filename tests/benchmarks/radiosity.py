@@ -21,13 +21,15 @@ from typing import Any
 
 import numpy as np
 
-from glsim.radiosity.bake import averaged, gathered, unevenness
-from glsim.radiosity.formfactors import compute
-from glsim.radiosity.hierarchy import ACCURACY, linked, tree_of
+from glsim.radiosity.gather import averaged, gathered, unevenness
+from glsim.radiosity.hierarchy import ACCURACY, linked
 from glsim.radiosity.mesh import mesh_of
-from glsim.radiosity.patches import Patches, subdivide
+from glsim.radiosity.methods import compute
+from glsim.radiosity.patches import Patches
 from glsim.radiosity.scenes import BUILT_IN
 from glsim.radiosity.solvers import solved
+from glsim.radiosity.subdivide import subdivide
+from glsim.radiosity.tree import tree_of
 
 
 def ours(parts: Patches) -> np.ndarray:
@@ -40,9 +42,9 @@ def theirs(parts: Patches) -> np.ndarray:
     import pyvista as pv
 
     faces, points = [], []
-    for ring, count in zip(parts.rings, parts.counts, strict=True):
+    for polygon, count in zip(parts.corners, parts.counts, strict=True):
         faces.append([count, *range(len(points), len(points) + count)])
-        points += list(ring[:count])
+        points += list(polygon[:count])
     mesh = pv.PolyData(np.array(points), np.concatenate(faces))
     triangles = parts.scene.triangles()
     corners = np.arange(3 * len(triangles)).reshape(-1, 3)

@@ -8,9 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-pytest.importorskip("numba")
-pytest.importorskip("embreex")
-
 from glsim import radiosity
 from glsim.gl import *
 from glsim.glut import glutSolidCube, glutSolidCylinder, glutSolidSphere, glutSolidTeapot
@@ -34,12 +31,12 @@ def paint(rho: float, emission: float = 0.0, face: Any = GL_FRONT_AND_BACK) -> N
     glMaterialfv(face, GL_EMISSION, [emission, emission, emission, 1.0])
 
 
-def quads(rings: Any, normals: bool = False) -> None:
+def quads(polygons: Any, normals: bool = False) -> None:
     glBegin(GL_QUADS)
-    for ring in rings:
+    for polygon in polygons:
         if normals:
-            glNormal3f(*normal_of(ring))
-        for corner in ring:
+            glNormal3f(*normal_of(polygon))
+        for corner in polygon:
             glVertex3f(*corner)
     glEnd()
 
@@ -52,7 +49,7 @@ def room(normals: bool = False, reverse: bool = False) -> None:
     glEnable(GL_LIGHTING)
     order = slice(None, None, -1 if reverse else 1)
     paint(0.7)
-    quads([ring[order] for ring in ROOM], normals)
+    quads([polygon[order] for polygon in ROOM], normals)
     paint(0.0, 10.0)
     quads([CEILING[order]], normals)
     paint(0.5)
@@ -60,10 +57,10 @@ def room(normals: bool = False, reverse: bool = False) -> None:
 
 def fronts(scene: Scene, below: float = 1.9) -> np.ndarray:
     """For each polygon whose middle is so near to the origin, the cosine between its front and the way outwards."""
-    middles = np.array([ring.mean(axis=0) for ring in scene.rings])
+    middles = np.array([polygon.mean(axis=0) for polygon in scene.polygons])
     near = np.linalg.norm(middles, axis=1) < below
-    ways = np.array([normal_of(ring) for ring in scene.rings])
-    return np.einsum("nk,nk->n", middles[near], ways[near]) / np.linalg.norm(middles[near], axis=1)
+    fronts = np.array([normal_of(polygon) for polygon in scene.polygons])
+    return np.einsum("nk,nk->n", middles[near], fronts[near]) / np.linalg.norm(middles[near], axis=1)
 
 
 # ---------------------------------------------------------------- the front
@@ -72,18 +69,18 @@ def fronts(scene: Scene, below: float = 1.9) -> np.ndarray:
 def test_a_teapot_in_a_room(tmp_path: Path) -> None:
     """A program as students write it: the corners of glutSolidTeapot run clockwise, the room has no normals."""
     program = tmp_path / "teapot.py"
-    walls = [(ring.tolist(), 0.7, 0.0) for ring in ROOM] + [(CEILING.tolist(), 0.0, 10.0)]
+    walls = [(polygon.tolist(), 0.7, 0.0) for polygon in ROOM] + [(CEILING.tolist(), 0.0, 10.0)]
     program.write_text(f"""
 from OpenGL.GL import *
 from OpenGL.GLUT import *
 from OpenGL.GLU import *
 def display():
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-    for ring, rho, emission in {walls}:
+    for polygon, rho, emission in {walls}:
         glMaterialfv(GL_FRONT, GL_DIFFUSE, [rho] * 3 + [1])
         glMaterialfv(GL_FRONT, GL_EMISSION, [emission] * 3 + [1])
         glBegin(GL_QUADS)
-        for corner in ring:
+        for corner in polygon:
             glVertex3f(*corner)
         glEnd()
     glMaterialfv(GL_FRONT, GL_DIFFUSE, [0.5] * 3 + [1])
@@ -114,17 +111,17 @@ glutMainLoop()
 def test_what_is_clockwise_is_as_bright() -> None:
     """A sphere whose corners a mirror turned, in light from all sides: it was a black hole."""
 
-    def draw(way: float) -> Any:
+    def draw(width: float) -> Any:
         def sphere() -> None:
             room(normals=True)
-            glScalef(way, 1.0, 1.0)
+            glScalef(width, 1.0, 1.0)
             glutSolidSphere(1.0, 12, 8)
 
         return sphere
 
     bright = []
-    for way in (1.0, -1.0):
-        found = radiosity.solve(drawn(draw(way)), 250, vertices="average")
+    for width in (1.0, -1.0):
+        found = radiosity.solve(drawn(draw(width)), 250, vertices="average")
         bright.append(found.patches.area @ found.B[:, 0])
         assert found.report()["row_sum_error_mean"] < 0.02
     assert bright[0] == pytest.approx(bright[1], rel=2e-3)
@@ -211,12 +208,12 @@ def test_a_sheet_reflects_on_both_sides_where_it_is_lit_so(two_side: bool) -> No
 
     scene = drawn(draw)
     sheets = {
-        (round(float(normal_of(ring)[1])), round(scene.materials[m].rho[0], 1))
-        for ring, m in zip(scene.rings, scene.material, strict=True)
-        if np.abs(ring[:, 1]).max() < 1e-6
+        (round(float(normal_of(polygon)[1])), round(scene.materials[m].rho[0], 1))
+        for polygon, m in zip(scene.polygons, scene.material, strict=True)
+        if np.abs(polygon[:, 1]).max() < 1e-6
     }
     assert sheets == ({(1, 0.2), (-1, 0.6)} if two_side else {(1, 0.2)})
-    assert len(scene.rings) == 7 + 12 + (2 if two_side else 1)
+    assert len(scene.polygons) == 7 + 12 + (2 if two_side else 1)
 
 
 # ---------------------------------------------------------------- smooth

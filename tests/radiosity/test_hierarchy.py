@@ -7,20 +7,22 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-pytest.importorskip("numba")
-pytest.importorskip("embreex")
-
 from glsim import radiosity
 from glsim.radiosity.adapt import refined
-from glsim.radiosity.bake import gathered, radiosity_at
-from glsim.radiosity.formfactors import FormFactors, compute
-from glsim.radiosity.hierarchy import Links, Tree, linked, tree_of, tree_over
+from glsim.radiosity.factors import Factors
+from glsim.radiosity.formfactors import FormFactors
+from glsim.radiosity.gather import gathered, radiosity_at
+from glsim.radiosity.hierarchy import Links, linked
 from glsim.radiosity.mesh import mesh_of, outline
-from glsim.radiosity.patches import Patches, subdivide
+from glsim.radiosity.methods import compute
+from glsim.radiosity.patches import Patches
 from glsim.radiosity.quadtree import divided
+from glsim.radiosity.rays import Rays
 from glsim.radiosity.scene import Scene, SceneError
 from glsim.radiosity.scenes import BUILT_IN
-from glsim.radiosity.solvers import Factors, solved
+from glsim.radiosity.solvers import solved
+from glsim.radiosity.subdivide import subdivide
+from glsim.radiosity.tree import Tree, tree_of, tree_over
 
 
 def scene(name: str) -> Scene:
@@ -126,7 +128,7 @@ def test_vertices_by_links(links: Links, matrix: FormFactors) -> None:
 
 
 def test_threads_do_not_change_links(tree: Tree, links: Links) -> None:
-    again = linked(tree, threads=1)
+    again = linked(tree, rays=Rays(tree.nodes.scene, 1))
     assert np.array_equal(again.ends, links.ends)
     assert np.array_equal(again.S, links.S)
 
@@ -158,11 +160,12 @@ def test_a_tree_has_about_as_many_elements_as_asked() -> None:
     assert len(tree_of(scene("museum"), 20000).leaves) == pytest.approx(20000, rel=0.35)
 
 
+@pytest.mark.slow
 def test_what_is_hidden_in_part_stays() -> None:
     """The tops of the museum's pedestals, in the middle of which something stands, whatever the size of patches."""
     room = scene("museum")
-    tree = tree_of(room, 8000)
-    for found in (tree.nodes, subdivide(room, 400), subdivide(room, 3000)):
+    tree = tree_of(room, 5000)
+    for found in (tree.nodes, subdivide(room, 400), subdivide(room, 1500)):
         roots = found.level == 0
         top = roots & (np.abs(found.center[:, 1] - 1.0) < 1e-6) & (found.normal[:, 1] > 0.9)
         here = top & (np.abs(found.center[:, [0, 2]] - (2.0, 3.0)).max(axis=1) < 0.46)
@@ -218,12 +221,13 @@ def shown_on_the_floor(factors: Factors, points: np.ndarray) -> np.ndarray:
     return result
 
 
+@pytest.mark.slow
 def test_adaptive_patches_show_more_with_as_many() -> None:
     """On the floor, where the shadows are, against a final gather from many patches."""
     room = scene("cornell")
     random = np.random.default_rng(4)
     points = np.stack([random.uniform(5, 545, 400), np.zeros(400), random.uniform(5, 554, 400)], axis=1)
-    fine = compute(subdivide(room, 3000))
+    fine = compute(subdivide(room, 2000))
     B = solved(fine)[-1].B
     adaptive = compute(refined(subdivide(room, 250), 1000, compute))
     uniform = compute(subdivide(room, len(adaptive.patches)))

@@ -7,19 +7,17 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-pytest.importorskip("numba")
-pytest.importorskip("embreex")
-
 from glsim.radiosity.bodies import bodies_of, surface_of
-from glsim.radiosity.formfactors import compute
-from glsim.radiosity.patches import subdivide
+from glsim.radiosity.methods import compute
+from glsim.radiosity.rays import Rays
 from glsim.radiosity.scene import Builder, Material, Scene, box, normal_of, quad
 from glsim.radiosity.solvers import solved
+from glsim.radiosity.subdivide import subdivide
 from glsim.radiosity.visibility import Visibility
 
 WALL, LAMP = Material("wall", (0.7,) * 3), Material("lamp", (0.0,) * 3, (10.0,) * 3)
 DARK = Material("dark", (0.3,) * 3)
-Rings = list[np.ndarray]
+Polygons = list[np.ndarray]
 
 
 def photons(scene: Scene, count: int = 1_000_000, groups: int = 10) -> np.ndarray:
@@ -30,8 +28,8 @@ def photons(scene: Scene, count: int = 1_000_000, groups: int = 10) -> np.ndarra
     from embreex.rtcore_scene import EmbreeScene
 
     random = np.random.default_rng(7)
-    owner = np.array([k for k, ring in enumerate(scene.rings) for _ in range(len(ring) - 2)])
-    normals = np.array([normal_of(ring) for ring in scene.rings])
+    owner = np.array([k for k, polygon in enumerate(scene.polygons) for _ in range(len(polygon) - 2)])
+    normals = np.array([normal_of(polygon) for polygon in scene.polygons])
     rho, E = (np.array([getattr(scene.materials[m], name)[0] for m in scene.material]) for name in ("rho", "E"))
     raised = 3e-6 * scene.size * (1.0 + (E > 0.0))[owner, None, None] * normals[owner, None]
     triangles = scene.triangles() + raised
@@ -47,41 +45,42 @@ def photons(scene: Scene, count: int = 1_000_000, groups: int = 10) -> np.ndarra
         a, b, c = np.moveaxis(triangles[start], 1, 0)
         at, on = a + u * (b - a) + v * (c - a), owner[start]
         while len(at):
-            way = random.normal(size=at.shape)
-            way = way / np.linalg.norm(way, axis=1, keepdims=True) + normals[on]  # Lambert's cosine law
+            # Lambert's cosine law
+            direction = random.normal(size=at.shape)
+            direction = direction / np.linalg.norm(direction, axis=1, keepdims=True) + normals[on]
             at = at + 1e-6 * scene.size * normals[on]
-            hit = embree.run(at.astype(np.float32), way.astype(np.float32))
+            hit = embree.run(at.astype(np.float32), direction.astype(np.float32))
             on = owner[np.maximum(hit, 0)]
-            cosine = np.einsum("nk,nk->n", way, normals[on])
+            cosine = np.einsum("nk,nk->n", direction, normals[on])
             met = np.flatnonzero((hit >= 0) & (cosine < 0.0))
             group += np.bincount(on[met], minlength=len(rho))
             met = met[random.random(len(met)) < rho[on[met]]]  # the others are absorbed
             corner = triangles[hit[met], 0]
             far = np.einsum("nk,nk->n", corner - at[met], normals[on[met]]) / cosine[met]
-            at, on = at[met] + far[:, None] * way[met], on[met]
+            at, on = at[met] + far[:, None] * direction[met], on[met]
     return np.asarray(rho * arrived * power.sum() / (count // groups))
 
 
 # ---------------------------------------------------------------- scenes: each with a first room, in which the lamp is
 
 
-def both_sides(rings: Rings) -> Rings:
-    return [side for ring in rings for side in (ring, ring[::-1])]
+def both_sides(polygons: Polygons) -> Polygons:
+    return [side for polygon in polygons for side in (polygon, polygon[::-1])]
 
 
-def at_2(*rectangles: tuple[float, float, float, float]) -> Rings:
+def at_2(*rectangles: tuple[float, float, float, float]) -> Polygons:
     """Rectangles (y, z, y, z) in the plane x = 2."""
     return [quad((2, a, b), (2, c, b), (2, c, d), (2, a, d)) for a, b, c, d in rectangles]
 
 
-def lamp(y: float, corners: int = 4, half: float = 0.3) -> Rings:
+def lamp(y: float, corners: int = 4, half: float = 0.3) -> Polygons:
     """In the first room, as one quad, or as two triangles; half: of its edge."""
     a, b = 1.0 - half, 1.0 + half
-    ring = quad((a, y, a), (b, y, a), (b, y, b), (a, y, b))
-    return [ring] if corners == 4 else [ring[[0, 1, 2]], ring[[0, 2, 3]]]
+    polygon = quad((a, y, a), (b, y, a), (b, y, b), (a, y, b))
+    return [polygon] if corners == 4 else [polygon[[0, 1, 2]], polygon[[0, 2, 3]]]
 
 
-def rooms(partition: Rings, lamps: Rings, things: Rings = []) -> Scene:  # noqa: B006
+def rooms(partition: Polygons, lamps: Polygons, things: Polygons = []) -> Scene:  # noqa: B006
     """Two rooms, each 2 x 2 x 2, with a partition between them."""
     b = Builder("rooms")
     b.add(box((0, 0, 0), (4, 2, 2), inside=True), WALL)
@@ -136,7 +135,7 @@ def outside() -> Scene:
     b.add(both_sides([quad((-1, 0.6, -1), (-1, 0.6, 1), (1, 0.6, 1), (1, 0.6, -1))]), DARK)
     b.add(box((-0.3, 0.6, -0.3), (0.2, 1.1, 0.3))[:2] + box((-0.3, 0.6, -0.3), (0.2, 1.1, 0.3))[3:], WALL)
     b.add(box((0.2, 1.1, 0.3), (0.6, 1.4, 0.6)), WALL)
-    b.add([np.add(ring, (0.0, 0.4, -1.5)) for ring in lamp(1.7, corners=3)], LAMP)
+    b.add([np.add(polygon, (0.0, 0.4, -1.5)) for polygon in lamp(1.7, corners=3)], LAMP)
     return b.scene().checked()
 
 
@@ -151,9 +150,9 @@ def test_light_that_gets_through(name: str) -> None:
     scene = SCENES[name]()
     factors = compute(subdivide(scene, 900))
     patches, B = factors.patches, solved(factors)[-1].B[:, 0]
-    ours = np.bincount(patches.polygon, patches.area * B, len(scene.rings))
+    ours = np.bincount(patches.polygon, patches.area * B, len(scene.polygons))
     traced = photons(scene)
-    center = np.array([ring.mean(axis=0) for ring in scene.rings])
+    center = np.array([polygon.mean(axis=0) for polygon in scene.polygons])
     far = center[:, 1] < 0.1 if name == "outside" else center[:, 0] > 2.1
     dark = np.array([scene.materials[m] is not LAMP for m in scene.material])
     for chosen in (far & dark, ~far & dark):
@@ -194,12 +193,12 @@ def test_a_small_share_is_right_in_the_mean() -> None:
         np.array([quad((x, y, z), (x, y + 0.2, z), (x, y + 0.2, z + 0.2), (x, y, z + 0.2)) for y, z in corner])
         for x in (0.0, 4.0)
     ]
-    rings = np.concatenate([ends[0], ends[1][:, ::-1]])
-    normals = np.array([normal_of(ring) for ring in rings])
+    polygons = np.concatenate([ends[0], ends[1][:, ::-1]])
+    normals = np.array([normal_of(polygon) for polygon in polygons])
     pairs = np.stack([index.ravel() for index in np.meshgrid(np.arange(100), np.arange(100, 200))], axis=1)
-    shares = Visibility(b.scene().checked()).fractions(rings, np.full(200, 4), normals, pairs)
+    shares = Visibility(Rays(b.scene().checked())).fractions(polygons, np.full(200, 4), normals, pairs)
     random = np.random.default_rng(1)
-    z = [rings[pairs[:, k], :, 2].min(axis=1) + 0.2 * random.random((400, len(pairs))) for k in (0, 1)]
+    z = [polygons[pairs[:, k], :, 2].min(axis=1) + 0.2 * random.random((400, len(pairs))) for k in (0, 1)]
     true = np.abs((z[0] + z[1]) / 2.0 - 1.0) < 0.02
     assert shares.mean() == pytest.approx(true.mean(), rel=0.02)
 
@@ -207,11 +206,11 @@ def test_a_small_share_is_right_in_the_mean() -> None:
 # ---------------------------------------------------------------- what is a body
 
 
-def tube() -> Rings:
+def tube() -> Polygons:
     return box((0, 0, 0), (1, 1, 1))[:2] + box((0, 0, 0), (1, 1, 1))[4:]
 
 
-def roof(low: float = 0.0) -> Rings:
+def roof(low: float = 0.0) -> Polygons:
     """A pyramid over a square, and its square."""
     a, b, c, d, top = np.array([(0, low, 0), (0, low, 1), (1, low, 1), (1, low, 0), (0.5, 1, 0.5)], float)
     return [np.array([a, b, top]), np.array([b, c, top]), np.array([c, d, top]), np.array([d, a, top]),
@@ -219,11 +218,11 @@ def roof(low: float = 0.0) -> Rings:
 
 
 CUBE = box((0, 0, 0), (1, 1, 1))
-HALVES = [ring[[0, 1, 2]] for ring in CUBE] + [ring[[0, 2, 3]] for ring in CUBE]
+HALVES = [polygon[[0, 1, 2]] for polygon in CUBE] + [polygon[[0, 2, 3]] for polygon in CUBE]
 
 
 @pytest.mark.parametrize(
-    ("rings", "proven"),
+    ("polygons", "proven"),
     [
         (CUBE, True),
         (HALVES, True),
@@ -232,23 +231,23 @@ HALVES = [ring[[0, 1, 2]] for ring in CUBE] + [ring[[0, 2, 3]] for ring in CUBE]
         (roof()[:4], True),
         (CUBE[:4], False),  # two holes that meet
         (tube(), False),
-        ([ring[::-1] for ring in CUBE], False),  # its fronts look inwards
+        ([polygon[::-1] for polygon in CUBE], False),  # its fronts look inwards
         ([*CUBE, CUBE[0]], False),
         ([*CUBE, CUBE[0][::-1]], False),
         ([*CUBE[:5], HALVES[5]], True),  # half of the last face is the hole
         ([*CUBE[1:], CUBE[0] * (1, 0.9, 1)], True),  # the hole is a slit along the last face
         ([CUBE[0] - (1e-4, 0, 0), *CUBE[1:]], False),  # a gap all around
-        (CUBE[1:] + [ring[::-1] for ring in CUBE[1:]], False),
-        (roof() + [ring[::-1] * (1, -1, 1) for ring in roof()[:4]], False),  # a square within an octahedron
+        (CUBE[1:] + [polygon[::-1] for polygon in CUBE[1:]], False),
+        (roof() + [polygon[::-1] * (1, -1, 1) for polygon in roof()[:4]], False),  # a square within an octahedron
         (roof(0.5)[:4] + CUBE[:5], False),
     ],
 )
-def test_what_is_proven_to_be_a_body(rings: Rings, proven: bool) -> None:
-    found = surface_of(rings, 1e-6)
+def test_what_is_proven_to_be_a_body(polygons: Polygons, proven: bool) -> None:
+    found = surface_of(polygons, 1e-6)
     assert (found is not None) == proven
     turn, _ = np.linalg.qr(np.random.default_rng(5).normal(size=(3, 3)))
     turn *= np.linalg.det(turn)
-    assert (surface_of([ring @ turn.T for ring in rings], 1e-6) is not None) == proven
+    assert (surface_of([polygon @ turn.T for polygon in polygons], 1e-6) is not None) == proven
 
 
 @pytest.mark.parametrize("name", SCENES)

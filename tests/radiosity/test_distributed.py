@@ -11,19 +11,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-pytest.importorskip("numba")
-pytest.importorskip("embreex")
 pytest.importorskip("distributed")
 
 from distributed import Client, LocalCluster, get_task_stream
 
 from glsim import cli, radiosity
 from glsim.radiosity.distributed import Blocks
-from glsim.radiosity.patches import subdivide
 from glsim.radiosity.scene import SceneError
 from glsim.radiosity.scenes import BUILT_IN
+from glsim.radiosity.subdivide import subdivide
 
 PATCHES = 700
+pytestmark = pytest.mark.slow  # worker processes are started
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,124 @@
+"""Leaving out what cannot be seen: patches inside of a body that stands on them, or behind a coplanar lamp."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glsim.radiosity.contacts import MANY, TOUCHING
+from glsim.radiosity.patches import Patches, patches_from
+from glsim.radiosity.rays import Rays
+from glsim.radiosity.scene import SceneError, area_of
+
+Float = NDArray[np.float64]
+Int = NDArray[np.int64]
+RAYS = 9  # from a point, see _fan
+SHIFT = 2e-5  # of the scene's size: how far coinciding polygons are moved apart
+
+
+def exposed(patches: Patches, rays: Rays) -> Patches:
+    """Return the patches without those that nobody can see.
+
+    Three kinds are left out.  A patch inside a body: nearly all rays from its middle and from near its corners meet
+    the backs of polygons.  A patch behind a coplanar lamp: a smaller polygon of the same plane and the same front lies
+    on it.  A patch under a body that stands on it, as the floor under a crate: a coplanar polygon of the opposite
+    front lies on it, and all rays meet backs, or the whole scene is behind the patch's plane.
+
+    Raises SceneError if nearly everything would be left out: then the normals are inverted.
+    """
+    scene = patches.scene
+    hidden = covered(rays, patches.center, patches.normal)
+    for corner in range(4):
+        chosen = np.flatnonzero(hidden)
+        near = 0.9 * patches.corners[chosen, corner] + 0.1 * patches.center[chosen]
+        hidden[chosen] = covered(rays, near, patches.normal[chosen], least=0)
+    smaller, opposite = _coplanar(patches)
+    hidden |= smaller
+    under = np.flatnonzero(opposite)
+    fronts, backs, unclear = count_faces(rays, patches.center[under], patches.normal[under])
+    hidden[under] |= (fronts == 0) & ((backs + unclear == RAYS) | _at_the_end(patches, under))
+    if not hidden.any():
+        return patches
+    if np.average(hidden, weights=patches.area) > 0.9:
+        raise SceneError(
+            f"{scene.name}: nearly all fronts look at backs: are the normals inverted? A room shows its fronts inside;"
+            " --flip turns them"
+        )
+    note = f"patches left out, inside of bodies or behind coplanar polygons: {hidden.sum()}"
+    p, seen = patches, ~hidden
+    noted = replace(scene, notes=(*scene.notes, note))
+    return patches_from(noted, p.corners[seen], p.counts[seen], p.polygon[seen], p.level[seen])
+
+
+def covered(rays: Rays, points: Float, normals: Float, least: int = 3) -> NDArray[np.bool_]:
+    """Return whether points (n, 3) on surfaces with unit normals (n, 3) are inside of a body: (n,).
+
+    That is so where at least ``least`` of nine rays meet the backs of polygons, and nearly none a front or nothing.
+    """
+    fronts, backs, unclear = count_faces(rays, points, normals)
+    missed = RAYS - fronts - backs - unclear
+    return np.asarray((backs >= least) & (fronts + missed <= backs // 8))
+
+
+def count_faces(rays: Rays, points: Float, normals: Float) -> tuple[Int, Int, Int]:
+    """Send nine rays from each point (n, 3) to the side of its unit normal (n, 3), and count what they meet.
+
+    Returns the numbers of fronts, of backs, and of unclear cases, (n,) each.  A case is unclear where two polygons
+    coincide and one shows its front, the other its back: it is found by sending each ray twice, once with all polygons
+    moved a little along their normals, and once with all moved back.
+    """
+    scene = rays.scene
+    origins = (points - rays.middle + 1e-4 * scene.size * normals).astype(np.float32)
+    facing = np.zeros((2, RAYS, len(points)), np.int64)  # 1: a front, -1: a back, 0: nothing
+    for which, shift in enumerate((SHIFT, -SHIFT)):
+        for number, direction in enumerate(np.moveaxis(_fan(normals), 1, 0) if len(points) else ()):
+            hit = rays.nearest(origins, direction, shift)
+            cosine = np.einsum("nk,nk->n", scene.normals[np.maximum(hit, 0)], direction)
+            facing[which, number] = np.where(hit >= 0, -np.sign(np.round(cosine, 9)), 0)
+    same = facing[0] == facing[1]
+    counts = [(same & (facing[0] == kind)).sum(axis=0) for kind in (1, -1)]
+    return counts[0], counts[1], (~same).sum(axis=0)
+
+
+def _at_the_end(patches: Patches, chosen: Int) -> NDArray[np.bool_]:
+    """Return for each of the ``chosen`` patches whether the whole scene is behind its plane."""
+    points = np.concatenate(patches.scene.polygons)
+    to = np.array([(points @ direction).max() - middle @ direction for middle, direction in
+                   zip(patches.center[chosen], patches.normal[chosen], strict=True)])  # fmt: skip
+    return to < TOUCHING * patches.scene.size
+
+
+def _fan(normals: Float) -> Float:
+    """Return nine directions to the side of each unit normal (n, 3), four of them far from it: (n, 9, 3)."""
+    other = np.where(np.abs(normals[:, :1]) < 0.7, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
+    t = np.cross(normals, other)
+    t /= np.linalg.norm(t, axis=1, keepdims=True)
+    b = np.cross(normals, t)
+    sides = [slope * side for slope, side in ((0.8, t), (0.8, b), (4.0, t + b), (4.0, t - b))]
+    return np.stack([normals, *(normals + side for side in sides), *(normals - side for side in sides)], axis=1)
+
+
+def _coplanar(patches: Patches) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Find the patches whose middle lies on another polygon of the same plane.
+
+    Returns two masks (n,): the other polygon is smaller and has the same front, so that it is seen instead; the other
+    polygon has the opposite front.
+    """
+    scene, normals = patches.scene, patches.scene.normals
+    smaller, opposite = np.zeros(len(patches), bool), np.zeros(len(patches), bool)
+    areas = np.array([area_of(polygon) for polygon in scene.polygons])
+    if len(scene.polygons) > MANY:
+        return smaller, opposite
+    tolerance = TOUCHING * scene.size
+    for number, polygon in enumerate(scene.polygons):
+        cosine = patches.normal @ normals[number]
+        on = (np.abs(cosine) > 1.0 - 1e-6) & (patches.polygon != number)
+        on &= np.abs((patches.center - polygon[0]) @ normals[number]) < tolerance
+        inward = np.cross(normals[number], np.roll(polygon, -1, axis=0) - polygon)
+        to = patches.center[on][:, None] - polygon
+        on[on] = ((to * inward).sum(axis=2) > 0.0).all(axis=1)
+        smaller |= on & (cosine > 0.0) & (areas[patches.polygon] > areas[number] * (1.0 + 1e-9))
+        opposite |= on & (cosine < 0.0)
+    return smaller, opposite

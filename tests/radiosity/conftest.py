@@ -1,0 +1,28 @@
+"""Fixtures of several files: form factors of the closed Cornell box, and its path-traced radiosity."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+
+import numpy as np
+import pytest
+
+from glsim.radiosity.formfactors import FormFactors
+from glsim.radiosity.methods import compute
+from glsim.radiosity.scenes import BUILT_IN
+from glsim.radiosity.subdivide import subdivide
+from tests.radiosity.helpers import REFERENCE
+
+# Without the packages of glsim[radiosity] none of these files can be imported.
+collect_ignore_glob = [] if find_spec("numba") and find_spec("embreex") else ["test_*.py"]
+
+
+@pytest.fixture(scope="package")
+def closed() -> FormFactors:
+    return compute(subdivide(BUILT_IN["cornell-closed"].make().checked(), 900))
+
+
+@pytest.fixture(scope="package")
+def traced() -> dict[str, np.ndarray]:
+    with np.load(REFERENCE / "cornell_black_front.npz") as stored:
+        return {name: stored[name] for name in stored.files}

@@ -1,0 +1,137 @@
+"""What a solution is good for: files, pictures, reports."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from glsim import radiosity
+from glsim.radiosity.hierarchy import linked
+from glsim.radiosity.scene import Builder, Material, SceneError, box, quad
+from glsim.radiosity.tree import tree_of
+from tests.radiosity.helpers import mesh_area
+
+
+@pytest.fixture(scope="module")
+def small() -> radiosity.Radiosity:
+    return radiosity.solve("cornell", 250)
+
+
+def test_a_picture_in_a_file(small: radiosity.Radiosity, tmp_path: Path) -> None:
+    from PIL import Image
+
+    small.save(tmp_path / "c.png", size=128)
+    with Image.open(tmp_path / "c.png") as picture:
+        colors = np.asarray(picture.convert("RGB")).astype(int)
+    assert colors[60, 12, 0] > 1.5 * colors[60, 12, 1]  # red left
+    assert colors[60, 118, 1] > 1.2 * colors[60, 118, 0]  # green right, in yellow light
+
+
+@pytest.mark.parametrize("name", ["c.glb", "c.ply"])
+def test_a_mesh_in_a_file(name: str, small: radiosity.Radiosity, tmp_path: Path) -> None:
+    import trimesh
+
+    small.save(tmp_path / name)
+    mesh = trimesh.load(tmp_path / name, force="mesh")
+    assert len(mesh.faces) == len(small.mesh.triangles)
+    assert len(np.unique(mesh.visual.vertex_colors, axis=0)) > 100
+
+
+def test_arrays_in_a_file(small: radiosity.Radiosity, tmp_path: Path) -> None:
+    small.save(tmp_path / "c.npz")
+    with np.load(tmp_path / "c.npz") as stored:
+        assert stored["triangles"].shape == (len(stored["triangle_patch"]), 3, 3)
+        assert stored["B"].shape == stored["E"].shape == stored["rho"].shape == stored["normal"].shape
+        assert stored["area"].sum() == pytest.approx(mesh_area(stored["triangles"]), rel=1e-9)
+
+
+def test_another_ending_is_refused(small: radiosity.Radiosity, tmp_path: Path) -> None:
+    with pytest.raises(SceneError, match=r"must end in"):
+        small.save(tmp_path / "c.xyz")
+
+
+def test_the_report(small: radiosity.Radiosity) -> None:
+    report = small.report()
+    assert json.loads(json.dumps(report))["n"] == len(small.patches)
+    assert report["row_sum_error_mean"] < 2e-3
+
+
+def test_direct_light_does_not_reach_the_lamps_ceiling(small: radiosity.Radiosity) -> None:
+    direct = small.direct()
+    ceiling = small.mesh.normals[:, 1] < -0.9
+    dark = ceiling & (small.patches.E[small.mesh.patch].max(axis=1) == 0.0)
+    assert direct[dark].max() < 1e-6  # no light shines directly onto the ceiling that holds the lamp
+    assert small.vertex_radiosity[dark].min() > 0.001
+    assert small.beside_direct(64).size[0] > 128
+
+
+def test_pictures_of_numbers(small: radiosity.Radiosity) -> None:
+    """A row of the form factors on the scene, the residual, the matrix."""
+    row = np.asarray(small.row_picture(5, 64).convert("RGB")).astype(int)
+    assert row.shape == (64, 64, 3)
+    assert len(np.unique(row.reshape(-1, 3), axis=0)) > 5
+    assert len(small.convergence_picture().getcolors(1 << 16)) > 5
+    assert len(small.matrix_picture(100).getcolors(1 << 16)) > 20
+
+
+def test_a_camera_that_is_not_there(small: radiosity.Radiosity) -> None:
+    with pytest.raises(SceneError, match="has 1 view, numbered from 0; there is no 3"):
+        small.picture(64, 3)
+
+
+def test_results_in_a_line_and_in_a_notebook(small: radiosity.Radiosity) -> None:
+    n, p = len(small.patches), small.patches
+    assert repr(small).startswith(f"<Radiosity of cornell: {n} patches, contour, gauss-seidel, ")
+    links = linked(tree_of(p.scene, 60))
+    assert [repr(some) for some in (p.scene, p, small.factors, links.tree)] == [
+        "<Scene cornell: 18 polygons, 1 emitting, 5 materials>", f"<Patches of cornell: {n}>",
+        f"<FormFactors of cornell: {n} x {n}, contour>",
+        f"<Tree of cornell: {len(links.tree.nodes)} nodes, {len(links.tree.leaves)} elements>",
+    ]  # fmt: skip
+    for some in (small, small.mesh, links):
+        assert len(repr(some)) < 120
+        assert "\n" not in repr(some)
+    page = small._repr_html_()
+    assert '<img src="data:image/png;base64,iVBOR' in page
+    assert "<td>form factors</td><td>contour; rows sum to 1 within" in page
+    assert (small._repr_png_() or b"").startswith(b"\x89PNG")
+
+
+def test_what_the_package_offers() -> None:
+    assert {"solve", "Radiosity", "Builder", "Material", "Scene", "SceneError", "View", "BUILT_IN"} <= set(
+        dir(radiosity)
+    )
+    assert all(hasattr(radiosity, name) for name in dir(radiosity))
+
+
+def test_what_escapes_is_told() -> None:
+    open_, closed = (radiosity.solve(name, 60).report() for name in ("plates", "furnace"))
+    assert open_["notes"] == [f"the scene is open: {100 * open_['leak']:.1f} % of what leaves its surfaces escapes"]
+    assert open_["leak"] == pytest.approx(1.0 - 0.4152, abs=2e-3)  # two facing squares, half an edge apart
+    assert closed["notes"] == []
+
+
+def test_what_lights_nothing_is_told() -> None:
+    b = Builder("ball")
+    b.add(
+        [polygon[::-1] for polygon in box((0, 0, 0), (1, 1, 1), inside=True)], Material("glows", (0.1,) * 3, (1.0,) * 3)
+    )
+    ball = radiosity.solve(b.scene(), 30)
+    assert pytest.approx(ball.patches.E) == ball.B
+    assert "no patch sees another, so nothing is lit" in ball.report()["notes"][0]
+    b = Builder("turned")
+    b.add(box((0, 0, 0), (2, 2, 2), inside=True), Material("wall", (0.5,) * 3))
+    b.add([quad((4, 0, 0), (4, 1, 0), (4, 1, 1), (4, 0, 1))], Material("lamp", (0.0,) * 3, (9.0,) * 3))  # looks away
+    assert "what emits sees nothing, so nothing is lit" in radiosity.solve(b.scene(), 100).report()["notes"][0]
+
+
+def test_a_scene_without_cameras_has_one() -> None:
+    b = Builder("room")
+    b.add(box((0, 0, 0), (2, 2, 2), inside=True), Material("wall", (0.5,) * 3, (1.0,) * 3))
+    result = radiosity.solve(b.scene(), 30)
+    assert len(np.unique(np.asarray(result.picture(32)))) > 1
+    with pytest.raises(SceneError, match="patches are numbered from 0 to 23; there is no 24"):
+        result.row_picture(24)
