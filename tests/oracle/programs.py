@@ -636,7 +636,7 @@ def incomplete_primitives() -> None:
     """Vertices that make no whole primitive are ignored."""
     glClear(GL_COLOR_BUFFER_BIT)
     for k, mode in enumerate(MODES):
-        for count in (2, 3, 5, 7):  # with 0 or 1 Mesa 22.3.6 drops what follows; see test_gl_vertex.py
+        for count in (2, 3, 5, 7):  # with 0 or 1 Mesa 22.3.6 drops what follows; see gl/test_vertex.py
             glBegin(mode)
             for j in range(count):
                 x = -0.95 + 0.19 * k + 0.08 * (j % 2)

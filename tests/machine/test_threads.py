@@ -21,7 +21,7 @@ from glsim.gl import immediate
 from glsim.machine.current import current_machine, make_current
 from glsim.machine.interrupts import uninterrupted
 
-HERE = Path(__file__).parent
+ROOT = Path(__file__).parents[2]
 
 
 def in_a_thread(work: Callable[[], object]) -> list[object]:
@@ -223,7 +223,7 @@ def test_the_context_of_a_thread_that_ended_can_be_drawn_with(screen: glsim.Offs
 def run(code: str, *arguments: str, seconds: float = 60) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=False, timeout=seconds,
-        env={**os.environ, "PYTHONPATH": str(HERE.parent)},
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
     )  # fmt: skip
 
 

@@ -22,7 +22,7 @@ from glsim.play.plan import Plan
 from glsim.play.python2 import converted, is_python_3
 from glsim.play.run import events_from, run
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 WINDOW = """
 from OpenGL.GL import *
 from OpenGL.GLU import *

@@ -212,6 +212,7 @@ def test_numbers_larger_than_any_picture(screen: glsim.Offscreen) -> None:
     screen.reset()
     glClearColor(1, 0, 0, 1)
     glClear(GL_COLOR_BUFFER_BIT)
+    glFinish()  # the device reads what was drawn, not what waits to be drawn
     pixels = screen.machine.device.read(-2, screen.height - 1, 4, 3, "color")
     assert np.array_equal(pixels[..., 0], [[0, 0, 255, 255], [0, 0, 0, 0], [0, 0, 0, 0]])
     assert not screen.machine.device.read(2**31 - 1, 0, 2, 2, "color").any()

@@ -19,7 +19,7 @@ from PIL import Image
 import glsim
 from glsim.play.frames import frame_of
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 
 pytestmark = pytest.mark.skipif(not (ROOT / "pyproject.toml").exists(), reason="needs a checkout")
 
@@ -111,7 +111,7 @@ def test_glsim_commands_of_the_readme(tmp_path: Path) -> None:
     commands = [line for block in blocks("sh") for line in block.splitlines() if line.startswith("glsim ")]
     assert len(commands) >= 8
     for command in commands:
-        if "--window" not in command:  # tests/test_window.py opens windows
+        if "--window" not in command:  # tests/glut/test_window.py opens windows
             words = shlex.split(command, comments=True)[1:]
             run(sys.executable, "-m", "glsim", *words, cwd=tmp_path, PYTHONPATH=str(ROOT))
     assert {"frames", "teapot.gif", "after-a-drag", "teapot-shading.png", "terms.png", "box.glb"} <= {

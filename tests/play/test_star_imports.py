@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-REFERENCE = Path(__file__).parent / "reference"
+REFERENCE = Path(__file__).parents[1] / "reference"
 THEIRS: dict[str, dict[str, int | str]] = json.loads((REFERENCE / "star_imports.json").read_text())
 
 # Each name that PyOpenGL binds and glsim does not, with its reason.

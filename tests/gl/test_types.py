@@ -11,7 +11,7 @@ import pytest
 
 from glsim import gl, glu, glut
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 
 PROGRAM = """
 import sys

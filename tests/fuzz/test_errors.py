@@ -1,4 +1,4 @@
-"""Random calls, legal and illegal, in and out of order: errors are the driver's.  test_fuzz_calls.py has stranger ones.
+"""Random calls, legal and illegal, in and out of order: errors are the driver's.  test_calls.py has stranger ones.
 
 Where a call would read a program's memory the driver is left out: it would crash where glsim raises.
 """
