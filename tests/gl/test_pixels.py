@@ -8,7 +8,7 @@ import pytest
 import glsim
 from glsim.gl import *
 from glsim.gl import GLError
-from tests.oracle.programs import pixel_coordinates
+from tests.drawing import pixel_coordinates
 
 
 def start() -> None:

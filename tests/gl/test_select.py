@@ -15,7 +15,7 @@ from glsim.gl import GLError
 from glsim.machine.commands import COMMANDS
 from glsim.play.capture import capture
 from glsim.render.native import Native, pass_on
-from tests.oracle.programs import SHINY, ball, camera, lamp, material
+from tests.drawing import SHINY, ball, camera, lamp, material
 
 
 def natively(native: Native, draw: Callable[[], None], mode: int, kind: int = GL_3D_COLOR) -> tuple[int, np.ndarray]:

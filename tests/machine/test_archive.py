@@ -18,7 +18,7 @@ from glsim.gl import *
 from glsim.machine import archive
 from glsim.machine.constants import Enum
 from glsim.machine.frame import Call, Frame
-from glsim.play.capture import capture
+from tests.drawing import captured
 from tests.oracle import PROGRAMS
 
 CHECKER = np.random.default_rng(0).integers(0, 256, (8, 8, 3), np.uint8)
@@ -38,16 +38,10 @@ def textured() -> None:
     glEnd()
 
 
-def drawn(draw: Any) -> Frame:
-    with capture(calls=True) as frame:
-        draw()
-    return frame
-
-
 def test_every_program_comes_back_whole(screen: glsim.Offscreen, tmp_path: Path) -> None:
     for name, draw in PROGRAMS.items():
         screen.reset()
-        frame = drawn(draw)
+        frame = captured(draw)
         before = screen.pixels()
         archive.save(frame, tmp_path / "frame.npz")
         back = archive.load(tmp_path / "frame.npz")
@@ -60,7 +54,7 @@ def test_every_program_comes_back_whole(screen: glsim.Offscreen, tmp_path: Path)
 
 
 def test_what_is_shared_stays_shared(screen: glsim.Offscreen, tmp_path: Path) -> None:
-    frame = drawn(lambda: [glRectf(-1, -1, 0, 0), glRectf(0, 0, 1, 1)])
+    frame = captured(lambda: [glRectf(-1, -1, 0, 0), glRectf(0, 0, 1, 1)])
     archive.save(frame, tmp_path / "frame.npz")
     first, second = archive.load(tmp_path / "frame.npz").draws
     assert first.state is second.state
@@ -149,7 +143,7 @@ FORGED = {
 
 @pytest.mark.parametrize("what", FORGED)
 def test_a_forged_frame_is_refused(what: str, screen: glsim.Offscreen, tmp_path: Path) -> None:
-    archive.save(drawn(textured), tmp_path / "frame.npz")
+    archive.save(captured(textured), tmp_path / "frame.npz")
     archive.load(tmp_path / "frame.npz")
     rewritten(tmp_path / "frame.npz", FORGED[what])
     with pytest.raises(ValueError, match=r"frame\.npz is no Frame that glsim wrote: "):
@@ -158,7 +152,7 @@ def test_a_forged_frame_is_refused(what: str, screen: glsim.Offscreen, tmp_path:
 
 def test_random_damage_is_a_sentence_or_harmless(screen: glsim.Offscreen, tmp_path: Path) -> None:
     """Whatever single item is replaced: load raises ValueError, or drawing it is an exception at worst."""
-    archive.save(drawn(textured), tmp_path / "frame.npz")
+    archive.save(captured(textured), tmp_path / "frame.npz")
     whole = (tmp_path / "frame.npz").read_bytes()
     chance = random.Random(1)
     refused = 0

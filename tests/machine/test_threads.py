@@ -6,11 +6,9 @@ import gc
 import os
 import random
 import signal
-import subprocess
 import sys
 import threading
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,8 +18,7 @@ from glsim.gl import *
 from glsim.gl import immediate
 from glsim.machine.current import current_machine, make_current
 from glsim.machine.interrupts import uninterrupted
-
-ROOT = Path(__file__).parents[2]
+from tests.drawing import python
 
 
 def in_a_thread(work: Callable[[], object]) -> list[object]:
@@ -220,13 +217,6 @@ def test_the_context_of_a_thread_that_ended_can_be_drawn_with(screen: glsim.Offs
     own.release()
 
 
-def run(code: str, *arguments: str, seconds: float = 60) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=False, timeout=seconds,
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
-    )  # fmt: skip
-
-
 FORK = """
 import os, sys, glsim
 from glsim.gl import *
@@ -247,7 +237,7 @@ print("child", os.waitpid(child, 0)[1], int(screen.pixels()[4, 4, 0]))
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this platform does not fork")
 def test_a_forked_process_is_told_to_spawn() -> None:
     for argument in ("", "released"):
-        done = run(FORK, argument)
+        done = python("-c", FORK, argument)
         *child, parent = done.stdout.splitlines()
         assert len(child) == 5, done.stderr
         assert all(line.startswith("this process was forked") and '"spawn"' in line for line in child)
@@ -270,7 +260,7 @@ pool.terminate()
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this platform does not fork")
 def test_processes_forked_before_the_first_context_draw() -> None:
-    done = run(FORK_BEFORE)
+    done = python("-c", FORK_BEFORE)
     assert done.stdout == "[255, 255, 255]\n", done.stderr
 
 
@@ -344,7 +334,7 @@ print(hits)
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="this platform has no interval timers")
 def test_exceptions_from_signals_break_nothing() -> None:
-    done = run(INTERRUPTED)
+    done = python("-c", INTERRUPTED)
     assert done.returncode == 0, (done.returncode, done.stderr)
     assert int(done.stdout) > 20
 

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
 import sys
 
 import numpy as np
@@ -15,6 +13,7 @@ from glsim.gl import *
 from glsim.machine.current import current_machine
 from glsim.render.device import order
 from glsim.render.native import Native
+from tests.drawing import python
 
 TRIANGLE = "glBegin(GL_TRIANGLES); glVertex2f(-1, -1); glVertex2f(1, -1); glVertex2f(0, 1); glEnd()"
 
@@ -25,13 +24,6 @@ def triangle(color: tuple[float, float, float]) -> None:
     for x, y in ((-1, -1), (3, -1), (-1, 3)):
         glVertex2f(x, y)
     glEnd()
-
-
-def python(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    """Run code in a fresh interpreter."""
-    return subprocess.run(
-        [sys.executable, "-c", code], env={**os.environ, **environment}, capture_output=True, text=True, check=False
-    )
 
 
 # Stands before a program to make libraries impossible to load, as on a machine that lacks them.
@@ -169,7 +161,7 @@ before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 for k in range(40): use(); gc.collect()
 print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024)
 """
-    done = python(program)
+    done = python("-c", program)
     assert float(done.stdout) < 60, done.stderr
 
 
@@ -193,7 +185,7 @@ b = glsim.offscreen(32, 32, backend="osmesa"); fill(0, 1, 0); b.pixels()
 a.make_current(); fill(0, 0, 1)
 print(a.pixels()[0, 0].tolist(), b.pixels()[0, 0].tolist())
 """
-    done = python(program)
+    done = python("-c", program)
     if "no OpenGL context" in done.stderr:
         pytest.skip("EGL or libOSMesa is not installed")
     assert done.stdout.strip() == "[0, 0, 255, 255] [0, 255, 0, 255]"
@@ -201,7 +193,7 @@ print(a.pixels()[0, 0].tolist(), b.pixels()[0, 0].tolist())
 
 def test_osmesa_draws_the_same() -> None:
     program = f"import glsim\nfrom glsim.gl import *\ns = glsim.offscreen(32, 32, backend='osmesa')\n{TRIANGLE}\n"
-    done = python(program + "print(s.backend, int((s.pixels()[..., 0] > 0).sum()))")
+    done = python("-c", program + "print(s.backend, int((s.pixels()[..., 0] > 0).sum()))")
     if "no OpenGL context" in done.stderr:
         pytest.skip("libOSMesa is not installed")
     assert done.stdout.split() == ["osmesa", "512"], done.stderr
@@ -235,7 +227,7 @@ def test_samples_that_cannot_be() -> None:
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the libraries of Linux are masked")
 def test_without_any_gl_library_every_attempt_is_told() -> None:
-    done = python(MASK + "import glsim\nglsim.offscreen(8, 8)", DISPLAY="")
+    done = python("-c", MASK + "import glsim\nglsim.offscreen(8, 8)", DISPLAY="")
     assert done.returncode != 0
     last = done.stderr.strip().splitlines()[-4:]
     assert "no OpenGL context could be opened. Tried:" in last[0]
@@ -248,19 +240,21 @@ def test_without_any_gl_library_every_attempt_is_told() -> None:
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the libraries of Linux are masked")
 def test_doctor_without_any_gl_library() -> None:
-    done = python(MASK + "from glsim.cli import main\nraise SystemExit(main(['doctor', '--json']))", DISPLAY="")
+    done = python("-c", MASK + "from glsim.cli import main\nraise SystemExit(main(['doctor', '--json']))", DISPLAY="")
     assert done.returncode == 1
     found = json.loads(done.stdout)
     assert not found["works"]
     assert [entry["works"] for entry in found["backends"]] == [False] * 3
     assert not found["native fixed function"]["works"]
-    words = python(MASK + "from glsim.cli import main\nraise SystemExit(main(['doctor']))", DISPLAY="", COLUMNS="200")
+    words = python(
+        "-c", MASK + "from glsim.cli import main\nraise SystemExit(main(['doctor']))", DISPLAY="", COLUMNS="200"
+    )
     assert "glsim cannot draw here" in words.stdout
     assert "apt install" in words.stdout
 
 
 def test_doctor_here() -> None:
-    done = python("from glsim.cli import main\nraise SystemExit(main(['doctor', '--json']))")
+    done = python("-c", "from glsim.cli import main\nraise SystemExit(main(['doctor', '--json']))")
     assert done.returncode == 0, done.stderr
     found = json.loads(done.stdout)
     assert found["works"]
