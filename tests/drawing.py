@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 from PIL import Image
 
@@ -104,6 +105,11 @@ def pixel_coordinates(shift: float) -> None:
     glClear(GL_COLOR_BUFFER_BIT)
     glOrtho(0, 128, 0, 128, -1, 1)
     glTranslatef(shift, shift, 0)
+
+
+def portions(count: int) -> list[Any]:
+    """For parametrize, where a long test is cut into ``count`` portions: the first is quick, the others are slow."""
+    return [0, *(pytest.param(k, marks=pytest.mark.slow) for k in range(1, count))]
 
 
 # ---------------------------------------------------------------- recorded frames

@@ -14,6 +14,7 @@ import pytest
 from glsim import gl, glu, glut
 from glsim.glut.loop import loop
 from glsim.machine.current import current_machine, make_current
+from tests.drawing import portions
 from tests.fuzz.calls import Fuzz, accepted
 
 CALLS = 6000
@@ -30,7 +31,7 @@ def fuzz() -> Iterator[type[Fuzz]]:
     make_current(before)
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", portions(3))
 def test_random_calls(fuzz: type[Fuzz], seed: int) -> None:
     made = fuzz(seed)
     while made.report.calls < CALLS:
@@ -40,6 +41,7 @@ def test_random_calls(fuzz: type[Fuzz], seed: int) -> None:
     assert not wrong, str(made.report)
 
 
+@pytest.mark.slow
 def test_enumerants_are_learned(fuzz: type[Fuzz]) -> None:
     made = fuzz(0)
     while made.report.calls < 3000:

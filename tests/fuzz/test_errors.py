@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import glsim
@@ -57,7 +57,7 @@ def comparable(command: Command) -> st.SearchStrategy[tuple[str, tuple[Any, ...]
     return st.tuples(st.just(command.name), st.tuples(*kinds))
 
 
-@settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=200)
 @given(calls=st.lists(st.one_of(*map(comparable, COMPARED)), min_size=1, max_size=30))
 def test_errors_are_the_drivers(screen: glsim.Offscreen, native: Native, calls: list[Any]) -> None:
     screen.reset()

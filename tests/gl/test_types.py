@@ -105,6 +105,7 @@ def pyright(path: Path) -> list[str]:
 
 
 @pytest.mark.parametrize("checker", [mypy, pyright])
+@pytest.mark.slow
 def test_a_students_program_is_typed(checker: object, tmp_path: Path) -> None:
     assert callable(checker)
     (tmp_path / "student.py").write_text(PROGRAM)

@@ -127,7 +127,9 @@ def test_nan_vertices_draw_nothing_and_crash_nothing(screen: glsim.Offscreen) ->
     for x in (0.0, float("nan"), 0.5):
         glVertex3f(x, x, 0.0)
     glEnd()
-    screen.pixels()
+    assert not screen.pixels().any()
+    glRectf(-1, -1, 1, 1)
+    assert (screen.pixels()[..., :3] == 255).all()
 
 
 def test_current_values(screen: glsim.Offscreen) -> None:

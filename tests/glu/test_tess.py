@@ -212,7 +212,7 @@ contour_lists = st.lists(st.one_of(st.lists(coarse, min_size=3, max_size=9), st.
                          min_size=1, max_size=3)  # fmt: skip
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=120)
 @given(contours=contour_lists, rule=st.sampled_from(sorted(RULES)))
 def test_every_polygon_is_filled_as_its_winding_numbers_say(contours: list[Any], rule: str) -> None:
     points = np.random.default_rng(1).uniform(0, 4, (60, 2))

@@ -171,9 +171,9 @@ def test_a_stroke_string_ends_where_its_last_line_does(screen: glsim.Offscreen) 
 
 
 def test_fonts_have_names() -> None:
-    for name, font in vars(fonts).items():
-        if name.startswith("GLUT_"):
-            assert repr(font) == name
+    named = {name: font for name, font in vars(fonts).items() if name.startswith("GLUT_")}
+    assert len(named) == 9  # seven bitmap fonts, two stroke fonts
+    assert {name: repr(font) for name, font in named.items()} == {name: name for name in named}
 
 
 @pytest.mark.parametrize(

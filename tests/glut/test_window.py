@@ -74,6 +74,7 @@ def display() -> Iterator[str]:
     server.wait(10)
 
 
+@pytest.mark.slow
 def test_keys_mouse_and_resizing_reach_the_program(display: str, tmp_path: Path) -> None:
     script = tmp_path / "program.py"
     script.write_text(PROGRAM)

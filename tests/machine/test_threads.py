@@ -235,6 +235,7 @@ print("child", os.waitpid(child, 0)[1], int(screen.pixels()[4, 4, 0]))
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this platform does not fork")
+@pytest.mark.slow
 def test_a_forked_process_is_told_to_spawn() -> None:
     for argument in ("", "released"):
         done = python("-c", FORK, argument)
@@ -259,6 +260,7 @@ pool.terminate()
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this platform does not fork")
+@pytest.mark.slow
 def test_processes_forked_before_the_first_context_draw() -> None:
     done = python("-c", FORK_BEFORE)
     assert done.stdout == "[255, 255, 255]\n", done.stderr
@@ -333,6 +335,7 @@ print(hits)
 
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="this platform has no interval timers")
+@pytest.mark.slow
 def test_exceptions_from_signals_break_nothing() -> None:
     done = python("-c", INTERRUPTED)
     assert done.returncode == 0, (done.returncode, done.stderr)

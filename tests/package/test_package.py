@@ -10,6 +10,7 @@ import sys
 import sysconfig
 import tarfile
 import zipfile
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -40,6 +41,7 @@ def dist(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_the_wheel_has_shaders_and_lessons_and_nothing_else(dist: Path) -> None:
     with zipfile.ZipFile(next(dist.glob("*.whl"))) as wheel:
         names = wheel.namelist()
@@ -54,6 +56,7 @@ def test_the_wheel_has_shaders_and_lessons_and_nothing_else(dist: Path) -> None:
     assert {"glsim", "shaders", "lessons", "tests", "README.md", "LICENSE", "pyproject.toml"} <= inside
 
 
+@pytest.mark.slow
 def test_the_wheel_draws_from_a_clean_environment(dist: Path, tmp_path: Path) -> None:
     """The dependencies are lent by this environment; glsim itself comes from the wheel alone."""
     run(sys.executable, "-m", "venv", str(tmp_path / "venv"))
@@ -69,6 +72,7 @@ def test_the_wheel_draws_from_a_clean_environment(dist: Path, tmp_path: Path) ->
 
 
 @pytest.mark.parametrize("lesson", sorted((ROOT / "lessons").glob("*.py")), ids=lambda path: path.stem)
+@pytest.mark.slow
 def test_lessons_run_and_say_what_you_see(lesson: Path, tmp_path: Path) -> None:
     text = lesson.read_text()
     assert "You see:" in text
@@ -82,12 +86,14 @@ def blocks(language: str) -> list[str]:
 
 
 @pytest.mark.parametrize("program", blocks("python"))
+@pytest.mark.slow
 def test_python_of_the_readme(program: str, tmp_path: Path) -> None:
     run(sys.executable, "-c", program, cwd=tmp_path, PYTHONPATH=str(ROOT))
     assert list(tmp_path.glob("*.png"))
 
 
 @pytest.mark.parametrize("number", [1, 2])
+@pytest.mark.slow
 def test_short_programs_of_the_readme(number: int, tmp_path: Path) -> None:
     run(sys.executable, "-c", blocks("py")[number], cwd=tmp_path, PYTHONPATH=str(ROOT))
 
@@ -106,17 +112,38 @@ def test_pictures_of_the_readme_are_bright_whole_and_without_mistakes(tmp_path: 
         assert not np.concatenate([lit[0], lit[-1], lit[:, 0], lit[:, -1]]).any()
 
 
-def test_glsim_commands_of_the_readme(tmp_path: Path) -> None:
+COMMANDS = [
+    line
+    for block in blocks("sh")
+    for line in block.splitlines()
+    if line.startswith("glsim ") and "--window" not in line  # tests/glut/test_window.py opens windows
+]
+
+
+def test_the_readme_has_commands() -> None:
+    assert len(COMMANDS) >= 20
+    assert {line.split()[1] for line in COMMANDS} == {
+        "compare", "run", "probe", "terms", "explain", "trace", "radiosity",
+    }  # fmt: skip
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda line: line.partition("#")[0].strip())
+def test_glsim_commands_of_the_readme(command: str, tmp_path: Path) -> None:
+    """In a folder with nothing but the README's teapot.py; what a command is to write is there afterwards."""
     (tmp_path / "teapot.py").write_text(blocks("py")[0])
-    commands = [line for block in blocks("sh") for line in block.splitlines() if line.startswith("glsim ")]
-    assert len(commands) >= 8
-    for command in commands:
-        if "--window" not in command:  # tests/glut/test_window.py opens windows
-            words = shlex.split(command, comments=True)[1:]
-            run(sys.executable, "-m", "glsim", *words, cwd=tmp_path, PYTHONPATH=str(ROOT))
-    assert {"frames", "teapot.gif", "after-a-drag", "teapot-shading.png", "terms.png", "box.glb"} <= {
-        path.name for path in tmp_path.iterdir()
-    }
+    words = shlex.split(command, comments=True)[1:]
+    run(sys.executable, "-m", "glsim", *words, cwd=tmp_path, PYTHONPATH=str(ROOT))
+    written = [name for option, name in pairwise(words) if option in ("-o", "--out", "--gif", "--json", "--direct")]
+    if words[0] == "run" and "--out" not in words:
+        written.append("frames")
+    for name in written:
+        path = tmp_path / name
+        if path.is_dir():
+            assert list(path.glob("*.png"))
+        elif "all" in words:  # --views all
+            path = tmp_path / f"{path.stem}-0{path.suffix}" if path.suffix == ".png" else path
+        assert path.stat().st_size > 0
 
 
 def test_the_readmes_number_of_programs() -> None:

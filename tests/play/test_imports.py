@@ -13,6 +13,8 @@ import pytest
 from glsim.play.python2 import converted, is_python_3
 from tests.drawing import ROOT, picture, play, program_file
 
+pytestmark = pytest.mark.slow  # each test runs programs in processes of their own
+
 
 def test_imports_of_all_kinds(tmp_path: Path) -> None:
     script = program_file(

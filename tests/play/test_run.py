@@ -87,6 +87,7 @@ def test_without_idle_and_events_time_jumps_to_the_timer(tmp_path: Path) -> None
     assert (tmp_path / "log.txt").read_text() == "1 20\n2 1020\n3 2020\n"
 
 
+@pytest.mark.slow
 def test_pictures_are_the_same_each_time(tmp_path: Path) -> None:
     script = program_file(
         tmp_path,
@@ -134,6 +135,7 @@ LIT = """
 """
 
 
+@pytest.mark.slow
 def test_any_program_is_shaded_otherwise_and_resized(tmp_path: Path) -> None:
     script = program_file(tmp_path, LIT)
     pictures = {}
@@ -208,6 +210,7 @@ def test_endings(tmp_path: Path, text: str, status: str, frames: int) -> None:
     assert (record["status"], record["frames"]) == (status, frames), record
 
 
+@pytest.mark.slow
 def test_an_endless_loop_is_stopped_and_its_pictures_are_there(tmp_path: Path) -> None:
     text = "def idle():\n    while True: pass\nglutDisplayFunc(glutSwapBuffers)\nglutIdleFunc(idle)\nglutMainLoop()\n"
     started = time.monotonic()
@@ -217,6 +220,7 @@ def test_an_endless_loop_is_stopped_and_its_pictures_are_there(tmp_path: Path) -
     assert picture(tmp_path).shape == (80, 120, 3)
 
 
+@pytest.mark.slow
 def test_interrupting(tmp_path: Path) -> None:
     text = "glutDisplayFunc(glutSwapBuffers)\nglutIdleFunc(lambda: open('here', 'w').close())\nglutMainLoop()\n"
     script = program_file(tmp_path, text)
@@ -238,6 +242,7 @@ def test_a_script_that_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:
     assert "nowhere.py: there is no such file" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_compare_takes_a_program(tmp_path: Path) -> None:
     from glsim import compare
 
@@ -248,6 +253,7 @@ def test_compare_takes_a_program(tmp_path: Path) -> None:
         compare(program_file(tmp_path, "raise ValueError('no')"), modes=["flat"], lobes=["blinn"])
 
 
+@pytest.mark.slow
 def test_a_display_function_that_never_returns_leaves_its_picture(tmp_path: Path) -> None:
     text = "import time\nreal = time.sleep\ndef display():\n    while True:\n        glClear(GL_COLOR_BUFFER_BIT)\n"
     text += "        glutSwapBuffers()\nglutDisplayFunc(display)\nglutMainLoop()\n"

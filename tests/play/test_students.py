@@ -13,6 +13,8 @@ from glsim.cli import main
 from glsim.play.run import animate
 from tests.drawing import play_text as play
 
+pytestmark = pytest.mark.slow  # each test runs programs in processes of their own
+
 IMPORTS = "from OpenGL.GL import *\nfrom OpenGL.GLU import *\nfrom OpenGL.GLUT import *\n"
 WINDOW = IMPORTS + "glutInit()\nglutInitWindowSize(60, 40)\nglutCreateWindow(b'w')\nglutDisplayFunc(lambda: None)\n"
 

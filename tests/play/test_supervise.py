@@ -17,7 +17,10 @@ from glsim.cli import main
 from glsim.play.run import read_report
 from glsim.play.supervise import LINUX, supervised
 
-pytestmark = pytest.mark.skipif(not LINUX, reason="processes are looked up in /proc")
+pytestmark = [
+    pytest.mark.slow,  # each test runs programs in processes of their own
+    pytest.mark.skipif(not LINUX, reason="processes are looked up in /proc"),
+]
 
 
 def alive(word: str) -> list[int]:

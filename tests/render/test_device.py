@@ -91,6 +91,7 @@ def test_another_context_in_the_process_does_no_harm(screen: glsim.Offscreen, na
     native.loader.release_current()
 
 
+@pytest.mark.slow
 def test_pyrender_in_the_same_process(screen: glsim.Offscreen, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PYOPENGL_PLATFORM", "egl")
     monkeypatch.setattr(np, "infty", np.inf, raising=False)  # pyrender 0.1.45 was written for numpy 1
@@ -115,15 +116,16 @@ def test_pyrender_in_the_same_process(screen: glsim.Offscreen, monkeypatch: pyte
 
 @pytest.mark.parametrize("samples", [2, 4])
 def test_multisampling(samples: int) -> None:
-    screen = glsim.offscreen(64, 64, samples=4)
-    assert glGetIntegerv(GL_SAMPLES) == 4
+    screen = glsim.offscreen(64, 64, samples=samples)
+    assert screen.samples == samples
+    assert glGetIntegerv(GL_SAMPLES) >= samples  # a driver may take more than it was asked for
     glBegin(GL_TRIANGLES)
     for x, y in ((-0.9, -0.7), (0.8, -0.5), (0.1, 0.9)):
         glVertex2f(x, y)
     glEnd()
     levels = np.unique(screen.pixels()[..., 0])
     screen.release()
-    assert len(levels) > 2
+    assert len(levels) > samples  # from none to all samples of a pixel covered
 
 
 def test_depth_of_a_multisampled_picture() -> None:
@@ -147,6 +149,7 @@ def test_a_context_made_in_a_with_statement_gives_the_outer_one_back(screen: gls
     assert glGetIntegerv(GL_VIEWPORT)[2] == 128
 
 
+@pytest.mark.slow
 def test_contexts_that_nobody_holds_are_freed() -> None:
     program = """
 import gc, resource, glsim

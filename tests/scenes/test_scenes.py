@@ -27,7 +27,9 @@ def area_vectors(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
 
 @pytest.mark.parametrize("name", BUILT_IN)
 def test_shapes_are_wound_as_their_normals_say(name: str) -> None:
-    for mesh in open_scene(name).meshes:
+    meshes = open_scene(name).meshes
+    assert meshes
+    for mesh in meshes:
         assert np.allclose(np.linalg.norm(mesh.normals, axis=1), 1, atol=1e-5)
         areas, normals = area_vectors(mesh)
         assert (np.einsum("ij,ij->i", areas, normals) > 0).all()

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import glsim
@@ -221,10 +221,8 @@ def points(rng: np.random.Generator) -> None:
     glEnd()
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
-@given(seed=SEEDS)
-def test_glsl_and_the_driver_agree_with_numpy(screen: glsim.Offscreen, native: Native, seed: int) -> None:
-    """150 random lighting states with 64 points each, per vertex.  (The driver errs where the shininess is 0: see
+def three_witnesses(seed: int, screen: glsim.Offscreen, native: Native) -> None:
+    """One random lighting state with 64 points, per vertex.  (The driver errs where the shininess is 0: see
     test_contradictions.py.)"""
     screen.reset()
     with capture(calls=True) as frame:
@@ -240,7 +238,20 @@ def test_glsl_and_the_driver_agree_with_numpy(screen: glsim.Offscreen, native: N
         assert worst <= 1.0, f"{name} is {worst:.2f}/255 away"
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
+@pytest.mark.parametrize("seed", range(10))
+def test_glsl_and_the_driver_agree_with_numpy_in_ten_states(seed: int, screen: glsim.Offscreen, native: Native) -> None:
+    three_witnesses(seed, screen, native)
+
+
+@pytest.mark.slow
+@settings(max_examples=150)
+@given(seed=SEEDS)
+def test_glsl_and_the_driver_agree_with_numpy(screen: glsim.Offscreen, native: Native, seed: int) -> None:
+    three_witnesses(seed, screen, native)
+
+
+@pytest.mark.slow
+@settings(max_examples=60)
 @given(seed=SEEDS, phong=st.booleans(), flip=st.booleans(), fragment=st.booleans())
 def test_glsl_agrees_with_numpy_in_the_extensions(
     screen: glsim.Offscreen, seed: int, phong: bool, flip: bool, fragment: bool
@@ -292,6 +303,7 @@ def test_albedos_that_are_known() -> None:
 
 
 @pytest.mark.parametrize("brdf", BRDFS, ids=lambda brdf: type(brdf).__name__)
+@pytest.mark.slow
 def test_samples_have_their_density(brdf: shading.BRDF) -> None:
     """The mean of g(L) over samples is the integral of g times the density, here by quadrature over the sphere."""
     rng = np.random.default_rng(3)

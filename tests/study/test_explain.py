@@ -159,6 +159,7 @@ def test_calls_must_be_there(screen: glsim.Offscreen) -> None:
         glsim.explain(frame, 1)
 
 
+@pytest.mark.slow
 def test_folding_changes_no_picture(screen: glsim.Offscreen, monkeypatch: pytest.MonkeyPatch) -> None:
     """A third of the oracle's programs, drawn with the folded GLSL."""
     full = programs.sources

@@ -18,6 +18,7 @@ from glsim.play.plan import Plan
 from glsim.play.reshade import shaded
 from glsim.play.run import run
 from glsim.study.prober import Prober
+from tests.drawing import portions
 from tests.oracle import PROGRAMS
 
 
@@ -45,7 +46,7 @@ def some_pixels(picture: np.ndarray, count: int, rng: np.random.Generator) -> li
 GROUPS = [list(PROGRAMS)[k::8] for k in range(8)]
 
 
-@pytest.mark.parametrize("group", range(8))
+@pytest.mark.parametrize("group", portions(8))
 def test_the_equation_gives_the_pixel_in_every_program(group: int, screen: glsim.Offscreen) -> None:
     """All programs of the oracle, six pixels of each: points, lines, textures, fog, blending, bitmaps, ..."""
     rng = np.random.default_rng(group)
@@ -305,6 +306,7 @@ glutMainLoop()
 """
 
 
+@pytest.mark.slow
 def test_a_program_is_probed_as_it_is_shown(tmp_path: Path) -> None:
     """What is drawn after the swap is not in the picture; events come before it."""
     script = tmp_path / "program.py"

@@ -32,6 +32,7 @@ def test_the_sum_is_the_picture_where_nothing_is_clamped(scene: str, mode: str) 
 
 
 LIT = [name for name in PROGRAMS if name.startswith(("light_", "term_", "material_", "two_sid", "color_material"))]
+assert len(LIT) >= 36
 
 
 @pytest.mark.parametrize("name", LIT)
@@ -42,10 +43,12 @@ def test_lit_programs(name: str, screen: glsim.Offscreen) -> None:
     assert np.array_equal(terms.picture, screen.pixels())
     assert np.array_equal(terms.depth, screen.depth())
     drawn = terms.picture[..., 3] > 0
-    assert np.array_equal(terms.covered, drawn) or not drawn.any()
+    assert drawn.sum() > 4000
+    assert np.array_equal(terms.covered, drawn)
     free = terms.lit & ~terms.clamped
+    assert free.sum() >= 300
     if "separate" not in name and "texture" not in name:
-        assert np.abs(terms.sum[free] * 255.0 - terms.picture[free][:, :3]).max(initial=0.0) <= 1.0
+        assert np.abs(terms.sum[free] * 255.0 - terms.picture[free][:, :3]).max() <= 1.0
 
 
 def test_cosines_and_normals(screen: glsim.Offscreen) -> None:

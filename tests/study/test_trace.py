@@ -75,6 +75,7 @@ glutMainLoop()
         ("| GLUT_STENCIL", "24 8", (255, 0, 0), (255, 0, 0), set()),
     ],
 )
+@pytest.mark.slow
 def test_buffers_that_were_not_asked_for(
     mode: str, bits: str, at_30: tuple[int, ...], at_50: tuple[int, ...], missing: set[tuple[int, str]], tmp_path: Path
 ) -> None:
@@ -117,6 +118,7 @@ def test_the_stream(screen: glsim.Offscreen) -> None:
     assert entries[7].drew == 1
 
 
+@pytest.mark.slow
 def test_the_commands_say_that_a_program_failed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     from glsim.cli import main
 
