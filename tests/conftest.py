@@ -6,11 +6,19 @@ import os
 from collections.abc import Iterator
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 import glsim
 from glsim.render.native import Native, NoNativeError
 
 SIZE = 128
+
+# Fixtures are reset by the tests themselves, and drawing takes the time that it takes.  In CI the examples are the same
+# in each run, so that a failure belongs to the change and not to chance.
+slow = [HealthCheck.function_scoped_fixture, HealthCheck.too_slow]
+settings.register_profile("here", deadline=None, suppress_health_check=slow)
+settings.register_profile("ci", settings.get_profile("here"), derandomize=True, database=None)
+settings.load_profile("ci" if os.environ.get("CI") else "here")
 
 
 @pytest.fixture(scope="session")
@@ -27,9 +35,9 @@ def screen(_screen: glsim.Offscreen) -> glsim.Offscreen:
     return _screen.make_current()
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def native() -> Iterator[Native]:
-    """The platform's real fixed function, 128 x 128 pixels."""
+    """The platform's real fixed function, 128 x 128 pixels; what random calls leave in it ends with their file."""
     try:
         oracle = Native(SIZE, SIZE)
     except NoNativeError as error:

@@ -83,8 +83,7 @@ def _with_negative_numbers(words: Sequence[str]) -> list[str]:
 
 
 def _parser() -> argparse.ArgumentParser:
-    from glsim.cli import compare, doctor, run, study
-    from glsim.radiosity import command as radiosity
+    from glsim.cli import compare, doctor, radiosity, run, study
     from glsim.version import __version__
 
     parser = Parser(prog="glsim", description="OpenGL's fixed-function pipeline, to teach and to learn.")

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import partial
 
 from glsim.gl import *
-from tests.oracle.programs import PROGRAMS, SHINY, ball, camera, lamp, material, pixel_coordinates, program, wheel
+from tests.drawing import SHINY, ball, camera, lamp, material, pixel_coordinates, wheel
+from tests.oracle.programs import PROGRAMS, program
 
 # ---------------------------------------------------------------- points and lines
 
@@ -40,16 +40,6 @@ def points_smaller_with_distance() -> None:
     for k in range(12):
         glColor3f(1 - k / 12, k / 12, 0.7)
         glVertex3f(0.24 * k - 1.3, 0.1 * k - 0.6, 2.5 - 0.8 * k)
-    glEnd()
-
-
-def star() -> None:
-    glBegin(GL_LINES)
-    for k in range(16):
-        a = k * math.pi / 8 + 0.1
-        glColor3f(k / 16, 1 - k / 16, 0.5)
-        glVertex2f(0.2 * math.cos(a), 0.2 * math.sin(a))
-        glVertex2f(0.9 * math.cos(a), 0.9 * math.sin(a))
     glEnd()
 
 
@@ -379,80 +369,3 @@ def stencil_masks() -> None:
     glStencilFunc(GL_EQUAL, 0x0E, 0x0F)
     glColor3f(0.9, 0.1, 0.1)
     glRectf(-0.9, -0.9, 0.9, 0.9)
-
-
-# ---------------------------------------------------------------- wide and stippled lines
-
-# Where a wide line ends and where a stipple pattern changes may differ by one pixel: drivers have rules of their own.
-LINES: dict[str, Callable[[], None]] = {}
-# Mesa rounds the ends of a line to 1/256 pixel and knows no coverage more exactly: one more 1/255 of each colour.
-SMOOTH: dict[str, Callable[[], None]] = {}
-
-
-for _width in (2.0, 3.0, 5.4, 9.0):
-
-    @partial(LINES.__setitem__, f"line_width_{_width:g}")
-    def _wide(width: float = _width) -> None:
-        glClear(GL_COLOR_BUFFER_BIT)
-        glLineWidth(width)
-        star()
-
-
-@partial(LINES.__setitem__, "wide_lines_flat_in_perspective")
-def wide_lines_lit_flat_in_perspective() -> None:
-    glShadeModel(GL_FLAT)
-    camera(2.2)
-    glLineWidth(4.0)
-    glRotatef(60, 1, 0.2, 0)
-    for k in range(6):
-        glBegin(GL_LINE_STRIP)
-        for j in range(5):
-            glColor3f(k / 6, j / 5, 0.6)
-            glVertex3f(0.4 * j - 0.9, 0.35 * k - 0.9, 0.1 * (j % 2))
-        glEnd()
-
-
-for _pattern, _factor in ((0x00FF, 1), (0x3333, 2), (0x0C0F, 3)):
-
-    @partial(LINES.__setitem__, f"line_stipple_{_pattern:04x}_{_factor}")
-    def _stippled(pattern: int = _pattern, factor: int = _factor) -> None:
-        glClear(GL_COLOR_BUFFER_BIT)
-        glEnable(GL_LINE_STIPPLE)
-        glLineStipple(factor, pattern)
-        star()
-
-
-@partial(LINES.__setitem__, "line_stipple_wide")
-def line_stipple_wide() -> None:
-    glClear(GL_COLOR_BUFFER_BIT)
-    glEnable(GL_LINE_STIPPLE)
-    glLineStipple(2, 0x3F07)
-    glLineWidth(3.0)
-    star()
-
-
-for _width in (1.0, 2.0, 3.5, 7.25):
-
-    @partial(PROGRAMS.__setitem__, f"smooth_lines_of_width_{_width:g}")
-    def _smooth_lines(width: float = _width) -> None:
-        glClear(GL_COLOR_BUFFER_BIT)
-        glEnable(GL_LINE_SMOOTH)
-        glEnable(GL_BLEND)
-        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
-        glLineWidth(width)
-        star()
-
-
-@program
-def smooth_lines_on_the_faces_of_a_ball() -> None:
-    """Without perspective: with it Mesa interpolates the distance from the line wrongly, and lines get thinner."""
-    glClear(GL_COLOR_BUFFER_BIT)
-    glOrtho(-1.2, 1.2, -1.2, 1.2, -2, 2)
-    lamp()
-    material(**SHINY)
-    glEnable(GL_LINE_SMOOTH)
-    glEnable(GL_BLEND)
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE)
-    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE)
-    glRotatef(17, 1, 0.6, 0.3)
-    ball(8, 6)

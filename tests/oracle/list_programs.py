@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from glsim.gl import *
-from tests.oracle.programs import SHINY, ball, camera, lamp, material, program, wheel
+from tests.drawing import SHINY, ball, camera, lamp, material, wheel
+from tests.oracle.programs import program
 
 
 @program

@@ -15,9 +15,9 @@ import glsim
 from glsim import gl
 from glsim.play.capture import capture
 from glsim.render.native import Native
+from tests.drawing import ball
 from tests.oracle.author import Author
 from tests.oracle.measure import Difference, measure
-from tests.oracle.programs import ball
 from tests.oracle.texture_programs import texels
 
 SIZE = 128

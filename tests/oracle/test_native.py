@@ -11,7 +11,7 @@ import glsim
 from glsim.play.capture import capture
 from glsim.render.native import Native, NoNativeError
 from tests.oracle import PROGRAMS
-from tests.oracle.fragment_programs import LINES, SMOOTH
+from tests.oracle.line_programs import LINES, SMOOTH
 from tests.oracle.measure import Difference, measure
 from tests.oracle.pixel_programs import ACCUMULATED
 

@@ -7,13 +7,14 @@ import pytest
 
 import glsim
 from glsim.render.native import Native
+from tests.drawing import portions
 from tests.oracle.author import Author
 from tests.oracle.random_programs import flag, pictures, shortest, whole
 
 PORTIONS, PROGRAMS = 8, 50  # 400 programs a run; python -m tests.oracle.random_programs --count 5000 makes more
 
 
-@pytest.mark.parametrize("portion", range(PORTIONS))
+@pytest.mark.parametrize("portion", portions(PORTIONS))
 def test_random_programs(portion: int, screen: glsim.Offscreen, native: Native) -> None:
     found = []
     for seed in range(portion * PROGRAMS, (portion + 1) * PROGRAMS):

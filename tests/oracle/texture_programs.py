@@ -7,7 +7,8 @@ from functools import partial
 import numpy as np
 
 from glsim.gl import *
-from tests.oracle.programs import PROGRAMS, SHINY, camera, lamp, material, program
+from tests.drawing import SHINY, camera, lamp, material
+from tests.oracle.programs import PROGRAMS, program
 
 # Where a texel begins is a matter of the last bit, so pictures with sharp texels may differ in single pixels there.
 

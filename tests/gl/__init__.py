@@ -1,0 +1,1 @@
+"""The calls of OpenGL, their arguments, errors and names."""

@@ -1,0 +1,1 @@
+"""GLU: matrices, quadrics, tessellation, NURBS, mipmaps."""

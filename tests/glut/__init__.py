@@ -1,0 +1,1 @@
+"""GLUT: fonts, shapes, real windows."""

@@ -1,0 +1,1 @@
+"""The state machine: bounds, threads and signals, frames as files."""

@@ -1,0 +1,1 @@
+"""Unmodified programs, run in a process of their own."""

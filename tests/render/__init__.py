@@ -1,0 +1,1 @@
+"""Contexts, keys, GLSL and batches."""

@@ -1,0 +1,1 @@
+"""The illumination equation in NumPy."""

@@ -1,0 +1,284 @@
+"""Each diagnosis of glsim.trace fires on a bad program and is silent on the mended one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+import glsim
+from glsim.gl import *
+from glsim.glu import gluLookAt, gluPerspective
+from glsim.glut.shapes import glutSolidCube
+from glsim.play.capture import capture
+from glsim.study.mistakes import CHECKED, DIAGNOSES
+from tests.drawing import captured, lit
+
+Program = Callable[[bool], None]
+BAD: dict[str, Program] = {}
+
+
+def mistake(kind: str) -> Callable[[Program], Program]:
+    def note(program: Program) -> Program:
+        BAD[kind] = program
+        return program
+
+    return note
+
+
+@mistake("normals-scaled")
+def scaled(mended: bool) -> None:
+    lit()
+    glScalef(0.5, 0.5, 0.5)
+    if mended:
+        glEnable(GL_NORMALIZE)
+    glutSolidCube(1)
+
+
+@mistake("normals-not-unit")
+def long_normals(mended: bool) -> None:
+    lit()
+    glNormal3f(0, 0, 1 if mended else 3)
+    glRectf(-1, -1, 1, 1)
+
+
+@mistake("surplus")
+def alpha_too_many(mended: bool) -> None:
+    glColor3f(1, 1, 0, *(() if mended else (1,)))
+    glRectf(-1, -1, 1, 1)
+
+
+@mistake("light-before-camera")
+def headlight(mended: bool) -> None:
+    lit()
+    glLoadIdentity()
+    if not mended:
+        glLightfv(GL_LIGHT0, GL_POSITION, [1, 2, 3, 1])
+    gluLookAt(3, 3, 3, 0, 0, 0, 0, 1, 0)
+    if mended:
+        glLightfv(GL_LIGHT0, GL_POSITION, [1, 2, 3, 1])
+    glutSolidCube(1)
+
+
+@mistake("lighting-without-normals")
+def no_normals(mended: bool) -> None:
+    lit()
+    glBegin(GL_TRIANGLES)
+    for z in (0.0, 0.8, -0.8):
+        if mended:
+            glNormal3f(0.6, 0.0, 0.8)
+        glVertex3f(z, 0.5 * z * z, z)
+    glEnd()
+
+
+@mistake("color-material-order")
+def order(mended: bool) -> None:
+    lit()
+    if mended:
+        glColorMaterial(GL_FRONT, GL_SPECULAR)
+        glEnable(GL_COLOR_MATERIAL)
+    else:
+        glEnable(GL_COLOR_MATERIAL)
+        glColorMaterial(GL_FRONT, GL_SPECULAR)
+    glutSolidCube(1)
+
+
+@mistake("highlight-lost")
+def coarse(mended: bool) -> None:
+    """A lamp close to the middle of a square."""
+    lit()
+    glLightfv(GL_LIGHT0, GL_POSITION, [0, 0, 0.5, 1])
+    glMaterialfv(GL_FRONT, GL_SPECULAR, [1, 1, 1, 1])
+    glMaterialf(GL_FRONT, GL_SHININESS, 60)
+    glNormal3f(0, 0, 1)
+    count = 30 if mended else 1
+    for i in range(count):
+        for j in range(count):
+            x, y = 2 * i / count - 1, 2 * j / count - 1
+            glRectf(x, y, x + 2 / count, y + 2 / count)
+
+
+@mistake("near-plane")
+def near(mended: bool) -> None:
+    glMatrixMode(GL_PROJECTION)
+    gluPerspective(60, 1, 0.5 if mended else 0, 10)
+    glMatrixMode(GL_MODELVIEW)
+    glTranslatef(0, 0, -3)
+    glRectf(-1, -1, 1, 1)
+
+
+@mistake("radians")
+def radians(mended: bool) -> None:
+    glRotatef(30 if mended else math.radians(30), 0, 0, 1)
+    glRectf(-0.5, -0.5, 0.5, 0.5)
+
+
+@mistake("matrix-stack")
+def unbalanced(mended: bool) -> None:
+    glPushMatrix()
+    glRectf(-0.5, -0.5, 0.5, 0.5)
+    if mended:
+        glPopMatrix()
+
+
+@mistake("depth-not-cleared")
+def stale(mended: bool) -> None:
+    glClear(GL_COLOR_BUFFER_BIT | (GL_DEPTH_BUFFER_BIT if mended else 0))
+    glEnable(GL_DEPTH_TEST)
+    glRectf(-0.5, -0.5, 0.5, 0.5)
+
+
+@mistake("normals-zero")
+def no_direction(mended: bool) -> None:
+    lit()
+    glNormal3f(0, 0, 1 if mended else 0)
+    glRectf(-0.5, -0.5, 0.5, 0.5)
+
+
+@mistake("up-along-view")
+def from_above(mended: bool) -> None:
+    gluLookAt(0, 0.5, 0, 0, 0, 0, *((0, 0, -1) if mended else (0, 1, 0)))
+    lit()
+    glutSolidCube(0.5)
+
+
+@mistake("position-of-three")
+def three_numbers(mended: bool) -> None:
+    lit()
+    glLightfv(GL_LIGHT0, GL_POSITION, (1, 2, 3, 1) if mended else (1, 2, 3))
+    glutSolidCube(0.5)
+
+
+@mistake("projection-in-modelview")
+def bent(mended: bool) -> None:
+    lit()
+    if mended:
+        glMatrixMode(GL_PROJECTION)
+    gluPerspective(45, 1, 1, 20)
+    glMatrixMode(GL_MODELVIEW)
+    glTranslatef(0, 0, -4)
+    glutSolidCube(1)
+
+
+def kinds(program: Program, mended: bool) -> list[str]:
+    return [entry.kind for entry in glsim.trace(captured(lambda: program(mended))).mistakes]
+
+
+@pytest.mark.parametrize("kind", BAD)
+def test_a_diagnosis_fires(kind: str, screen: glsim.Offscreen) -> None:
+    (found,) = glsim.trace(captured(lambda: BAD[kind](False))).mistakes
+    assert found.kind == kind
+    assert found.where is not None
+    assert found.where.file == __file__
+    assert "{" not in found.sentence
+
+
+@pytest.mark.parametrize("kind", BAD)
+def test_a_diagnosis_is_silent_on_the_mended_program(kind: str, screen: glsim.Offscreen) -> None:
+    assert kinds(BAD[kind], True) == []
+
+
+def test_every_diagnosis_is_tested() -> None:
+    assert {*BAD, "error", "missing-buffer"} == set(DIAGNOSES) == set(CHECKED)
+
+
+@pytest.mark.parametrize("slices", [3, 4, 5, 6, 7, 8, 10, 12, 16, 24])
+def test_coarse_spheres_lose_their_highlight(slices: int) -> None:
+    assert [entry.kind for entry in glsim.trace(f"sphere:{slices}").mistakes] == ["highlight-lost"]
+
+
+@pytest.mark.parametrize("slices", [64, 96])
+def test_fine_spheres_keep_it(slices: int) -> None:
+    assert glsim.trace(f"sphere:{slices}").mistakes == []
+
+
+def test_a_camera_at_the_point_it_looks_at(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        gluLookAt(0, 0, 1, 0, 0, 1, 0, 1, 0)
+        lit()
+        glutSolidCube(0.5)
+    (found,) = glsim.trace(frame).mistakes
+    assert found.kind == "up-along-view"
+    assert found.sentence.startswith("gluLookAt(0, 0, 1, 0, 0, 1, 0, 1, 0): up is parallel")
+
+
+def test_a_matrix_that_flattens(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        lit()
+        glScalef(0, 0, 0)
+        glNormal3f(0, 0, 1)
+        glRectf(-0.5, -0.5, 0.5, 0.5)
+    (found,) = glsim.trace(frame).mistakes
+    assert "the modelview matrix flattens the scene" in found.sentence
+
+
+def test_three_numbers_where_the_memory_goes_on(screen: glsim.Offscreen) -> None:
+    """PyOpenGL passes the array's address on, and the driver reads the number behind it; here it is 0."""
+    with capture(calls=True) as frame:
+        glLightfv(GL_LIGHT0, GL_POSITION, np.array([1, 2, 3, 99], np.float32)[:3])
+        glLight(GL_LIGHT1, GL_POSITION, (1, 2, 3))
+        glLightfv(GL_LIGHT2, GL_SPOT_DIRECTION, (0, 0, -1))
+    assert glGetLightfv(GL_LIGHT0, GL_POSITION).tolist() == [1, 2, 3, 0]
+    found = glsim.trace(frame).mistakes
+    assert [entry.kind for entry in found] == ["position-of-three"] * 2
+    assert "GL_LIGHT1 has three numbers" in found[1].sentence
+
+
+@pytest.mark.parametrize("angle", [math.radians(30), math.pi, 1.5708, -0.785, math.radians(45) * 3, math.radians(17)])
+def test_angles_that_look_like_radians(angle: float, screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glRotatef(angle, 0, 1, 0)
+        glRectf(0, 0, 1, 1)
+    assert [entry.kind for entry in glsim.trace(frame).mistakes] == ["radians"]
+
+
+@pytest.mark.parametrize("angle", [0, 1, 2, 3, 0.5, 0.1, 1.5, 2.25, 45.0, 180 / math.pi, 0.7, -3.0, 90, 6.2, 5.5, 0.02])
+def test_angles_that_do_not(angle: float, screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glRotatef(angle, 0, 1, 0)
+        glRectf(0, 0, 1, 1)
+    assert not glsim.trace(frame).mistakes
+
+
+@pytest.mark.parametrize("scene", ["teapot", "torus", "cube", "low-terrain", "terrain"])
+def test_built_in_scenes_are_free_of_mistakes(scene: str) -> None:
+    assert not glsim.trace(scene, size=128).mistakes
+
+
+def test_each_matrix_stack_has_its_own_pushes(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glMatrixMode(GL_PROJECTION)
+        glPushMatrix()
+        glMatrixMode(GL_MODELVIEW)
+        glPushMatrix()
+        glMatrixMode(GL_PROJECTION)
+        glPopMatrix()
+        glRectf(0, 0, 1, 1)
+    (found,) = glsim.trace(frame).mistakes
+    assert frame.calls[found.call].name == "glPushMatrix"
+    assert found.call == 3
+
+
+def test_depth_without_a_reason_to_be_cleared(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        glClear(GL_COLOR_BUFFER_BIT)
+        glEnable(GL_DEPTH_TEST)
+        glDepthFunc(GL_ALWAYS)
+        glRectf(0, 0, 1, 1)
+    assert not glsim.trace(frame).mistakes
+
+
+def test_surplus_arguments_are_named_with_the_command_that_takes_them() -> None:
+    glsim.offscreen(16, 16)
+    with capture(calls=True) as frame:
+        glColor3f(1, 1, 0, 1)
+        glRotatef(90, 0, 0, 1, 0)
+        glGenTextures(1)
+    said = [mistake.sentence for mistake in glsim.trace(frame).mistakes]
+    assert said == [
+        "glColor3f(1, 1, 0, 1): glColor3f takes 3 arguments (red, green, blue) and ignores what comes after: glColor4f"
+        " takes 4",
+        "glRotatef(90, 0, 0, 1, 0): glRotatef takes 4 arguments (angle, x, y, z) and ignores what comes after",
+    ]
