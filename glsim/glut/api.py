@@ -294,6 +294,8 @@ def _registrar(kind: str) -> Callable[..., None]:
             else:
                 raise TypeError(f"{name}: a function or None is needed, not {callback!r}")
         window = current_window(name)
+        if callback is None and kind == "Display":  # freeglut ends the program
+            raise TypeError(f"{name}: a function is needed, not None: write {name}(display), not {name}(display())")
         if callback is None:
             window.callbacks.pop(kind, None)
         else:

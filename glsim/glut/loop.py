@@ -251,9 +251,24 @@ EVENTS = {
 }  # fmt: skip
 
 
+KEYS = {"esc": b"\x1b", "escape": b"\x1b", "space": b" ", "enter": b"\r", "tab": b"\t", "backspace": b"\b",
+        "delete": b"\x7f"}  # fmt: skip
+
+
 def key(text: str) -> bytes:
-    """A key as the keyboard callback gets it: one byte; text is the character, or 0x1B and the like."""
-    return bytes([int(text[2:], 16)]) if text.startswith("0x") and len(text) > 2 else text.encode("latin-1")
+    """A key as the keyboard callback gets it: one byte.
+
+    text: the character, a name of KEYS, or a number such as 0x1B.  Raises ValueError for anything else.
+    """
+    if text in KEYS:
+        return KEYS[text]
+    try:
+        code = bytes([int(text, 16)]) if text.startswith("0x") and len(text) > 2 else text.encode("latin-1")
+    except ValueError:
+        code = b""
+    if len(code) != 1:
+        raise ValueError(f"a key is one character, {', '.join(KEYS)}, or a number from 0x00 to 0xFF, not {text!r}")
+    return code
 
 
 # The one loop of this process, as GLUT has it.

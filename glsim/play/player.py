@@ -45,7 +45,7 @@ class Player:
     def __init__(self, plan: Plan) -> None:
         self.plan, self.record = plan, Record()
         self.display: Display | None = None
-        self.saved = time.monotonic()
+        self.saved = -PATIENCE  # seconds, when a picture was saved last: the first swap is saved at once
         self.frame: Frame | None = None  # what the first window draws, with plan.capture
         self.screens = 0  # that the program opened with glsim.offscreen
         self.unsaved_screens: dict[int, Offscreen] = {}
@@ -188,8 +188,17 @@ class Player:
                 self.record.frames = max(self.record.frames, loop.step + 1)
                 self._report()
 
+    def _check_ended(self, window: Window) -> None:
+        """A step is over: glEnd must have come, or nothing that the program draws from now on is seen."""
+        mode = window.screen.machine.inside
+        if mode is not None and not self.record.errors:
+            sentence = f"glBegin({mode!r}) is never ended: glEnd is missing before the buffers are swapped"
+            print(f"glsim run: {sentence}", file=sys.stderr)
+            self.record.errors.append({"kind": "gl-error", "where": "display", "line": None, "error": sentence})
+
     def _after_step(self, played: Loop) -> None:
         for order, window in enumerate(played.windows.values(), 1):
+            self._check_ended(window)
             if self.plan.out is not None and window.shown is not None:
                 self._save_picture(window.shown, _name(played.step - 1, order))
         self.saved = time.monotonic()

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from glsim.machine.constants import Enum
+from glsim.machine.errors import NoContextError
 from glsim.play.starnames import Later, later_names, star_names
 
 SUFFIXES = ("ARB", "EXT", "SGIS", "SGI", "NV", "ATI", "HP", "IBM", "WIN", "MESA", "APPLE")
@@ -78,6 +79,8 @@ def _library(which: str) -> dict[str, Any]:
     """All that the star import of OpenGL.GL, GLU or GLUT gives, with the list of its names."""
     content = _commands(which)
     constants = vars(import_module("glsim.gl")) | later_names()
+    if which == "GLUT":
+        NoContextError.uses_glut = True  # "call glutCreateWindow", not "call glsim.offscreen"
     if which == "GL":
         content = {**later_names(), **content, "as_8_bit": _bytes()["as_8_bit"]}
     elif which == "GLUT":

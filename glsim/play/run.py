@@ -28,18 +28,28 @@ REPORTABLE = ("running", "ok", "gl-error", "python-error", "no-window")  # the s
 
 def events_from(keys: str, events: str) -> list[str]:
     """--keys and --events as one list.  Raises ValueError for an event that is none."""
-    from glsim.glut.loop import EVENTS
+    from glsim.glut.loop import EVENTS, key
 
-    listed = [f"key {key}" for key in keys] + [event.strip() for event in events.split(";") if event.strip()]
+    listed = [f"key {'space' if letter == ' ' else letter}" for letter in keys] + [
+        event.strip() for event in events.split(";") if event.strip()
+    ]
     counts = {"key": 1, "special": 1, "mouse": 4, "motion": 2, "passive": 2, "menu": 1, "reshape": 2}
     for event in listed:
         kind, *words = event.split()
         numbers = words[: counts.get(kind, 0)]
         if kind not in EVENTS or len(numbers) < counts.get(kind, 0):
-            known = '"key a", "special 101", "mouse BUTTON STATE X Y", "motion X Y", "passive X Y", "menu VALUE"'
+            known = (
+                '"key a", "key esc", "special 101", "mouse BUTTON STATE X Y", "motion X Y", "passive X Y", "menu VALUE"'
+            )
             raise ValueError(f'--events: events are {known}, "reshape W H" and "tick", not "{event}"')
+        if kind == "key":
+            try:
+                key(words[0])
+            except ValueError as error:
+                raise ValueError(f'--events "{event}": {error}') from None
+            continue
         try:
-            list(map(int, numbers if kind != "key" else ()))
+            list(map(int, numbers))
         except ValueError:
             raise ValueError(f'--events: numbers are needed in "{event}"') from None
     return listed

@@ -77,7 +77,7 @@ CHECKED = {
     "matrix-stack": "glPushMatrix without glPopMatrix",
     "depth-not-cleared": "GL_DEPTH_TEST with a depth buffer that is never cleared",
     "surplus": "arguments that a command ignores",
-    "projection-in-modelview": "gluPerspective, glFrustum or glOrtho in the modelview matrix",
+    "projection-in-modelview": "a projection in the modelview matrix, where lighting, fog or clip planes are on",
     "missing-buffer": "a depth or stencil test without its buffer",
     "error": "an error that ends the program",
 }

@@ -10,7 +10,9 @@ import pytest
 from PIL import Image
 
 from glsim.cli import main
-from glsim.play.run import animate
+from glsim.glut.loop import key
+from glsim.play.run import animate, events_from
+from tests.drawing import picture
 from tests.drawing import play_text as play
 
 pytestmark = pytest.mark.slow  # each test runs programs in processes of their own
@@ -283,3 +285,79 @@ def test_pictures_that_cannot_be_written(tmp_path: Path) -> None:
     record = play(tmp_path, text.replace("OUT", repr(str(tmp_path / "out"))))
     assert record["status"] == "python-error"
     assert "frame_000.png cannot be written to" in record["errors"][0]["error"]
+
+
+# ---------------------------------------------------------------- what a student trips over
+
+
+def test_a_picture_that_was_swapped_before_the_program_hung_is_kept(tmp_path: Path) -> None:
+    text = """
+    def display():
+        glClearColor(1, 0, 0, 1)
+        glClear(GL_COLOR_BUFFER_BIT)
+        glutSwapBuffers()
+        while True:
+            pass
+    glutDisplayFunc(display)
+    glutMainLoop()
+    """
+    front = WINDOW.replace("glutInit()", "glutInit()\nglutInitDisplayMode(GLUT_DOUBLE)")
+    record = play(tmp_path, front + textwrap.dedent(text), timeout=4.0)
+    assert record["status"] == "timeout"
+    assert record["pictures"] == ["frame_000.png"]
+    assert picture(tmp_path)[0, 0].tolist() == [255, 0, 0]
+
+
+def test_a_begin_that_is_never_ended(tmp_path: Path) -> None:
+    text = "def display():\n    glBegin(GL_TRIANGLES)\n    glVertex2f(0, 0)\nglutDisplayFunc(display)\nglutMainLoop()\n"
+    record = play(tmp_path, WINDOW + text)
+    assert record["status"] == "gl-error"
+    assert record["errors"][0]["error"].startswith("glBegin(GL_TRIANGLES) is never ended: glEnd is missing")
+
+
+def test_a_display_function_that_was_called_instead_of_passed(tmp_path: Path) -> None:
+    record = play(tmp_path, WINDOW + "def display(): pass\nglutDisplayFunc(display())\n")
+    assert (
+        "glutDisplayFunc: a function is needed, not None: write glutDisplayFunc(display), not"
+        in (record["errors"][0]["error"])
+    )
+
+
+def test_a_program_that_imports_glut_is_told_of_glutcreatewindow(tmp_path: Path) -> None:
+    record = play(tmp_path, IMPORTS + "glClearColor(1, 1, 1, 1)\n")
+    assert "call glutCreateWindow before the first gl command" in record["errors"][0]["error"]
+
+
+@pytest.mark.parametrize(
+    ("word", "code"), [("a", b"a"), ("esc", b"\x1b"), ("space", b" "), ("0x41", b"A"), ("enter", b"\r")]
+)
+def test_keys_have_names(word: str, code: bytes) -> None:
+    assert key(word) == code
+    assert events_from("", f"key {word}") == [f"key {word}"]
+
+
+@pytest.mark.parametrize("word", ["ab", "0x100", "0xZZ", "€"])
+def test_keys_that_there_are_not(word: str) -> None:
+    with pytest.raises(ValueError, match=r'--events "key .*": a key is one character, esc, '):
+        events_from("", f"key {word}")
+
+
+def test_native_has_no_depth_buffer_where_the_window_has_none(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    text = """
+    def display():
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+        glColor3f(1, 0, 0); glRectf(-0.9, -0.9, 0.9, 0.9)
+        glTranslatef(0, 0, 0.5)
+        glColor3f(0, 1, 0); glRectf(-0.5, -0.5, 0.5, 0.5)  # behind the red one
+        glutSwapBuffers()
+    glEnable(GL_DEPTH_TEST)
+    glutDisplayFunc(display)
+    glutMainLoop()
+    """
+    front = WINDOW.replace("glutInit()", "glutInit()\nglutInitDisplayMode(GLUT_DOUBLE)")
+    (tmp_path / "program.py").write_text(front + textwrap.dedent(text))
+    words = ["--modes", "gouraud,native", "--lobe", "blinn", "-o", str(tmp_path / "sheet.png"), "--json"]
+    assert main(["compare", str(tmp_path / "program.py"), *words]) == 0
+    assert [row["max"] for row in json.loads(capfd.readouterr().out)["differences"]] == [0, 0]
