@@ -22,7 +22,7 @@ in float depth_offset;      // only if DEPTH_OFFSET: in window coordinates
 in vec4 lit_position;       // only if LIT_ELSEWHERE: where the equation is evaluated, in object space
 in uint object;             // only if MANY_OBJECTS: the row of transforms and materials that this vertex uses
 
-SHADED out vec4 front_color;        // SHADED is flat or smooth: glShadeModel
+SHADED out vec4 front_color;        // flat or smooth: glShadeModel
 SHADED out vec3 front_highlight;
 SHADED out vec4 back_color;         // only with two-sided lighting
 SHADED out vec3 back_highlight;

@@ -8,7 +8,7 @@ flat out float point_diameter;      // only if POINT_SMOOTH: in pixels
 // one, so it is moved by such a step; a pixel is 2 / viewport in normalized device coordinates, hence the 2.  A middle
 // that lies half-way between two steps must be rounded to the right and down, as the fixed function does: so the step
 // is a little longer than 2 to the right and a little shorter than 2 upwards.
-const vec2 STEP = vec2(2.002, 1.998) / 256.0;   // in pixels / viewport
+const vec2 STEP = vec2(2.002, 1.998) / 256.0;   // divided by the viewport's size: in normalized device coordinates
 
 // glPointSize and glPointParameter: the diameter in pixels.  d: distance from the eye; section 3.3 allows |z| for it.
 float point_diameter_at(float d)

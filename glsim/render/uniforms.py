@@ -68,7 +68,7 @@ def std140(members: Sequence[tuple[str, str, str]], structures: dict[str, np.dty
 
 _state, _raster, _unit = (layouts(file) for file in ("state.glsl", "raster.glsl", "unit.glsl"))
 TRANSFORM, MATERIAL = _state["Transform"], _state["Material"]  # both fill ROW_SIZE bytes
-LIGHTS, RASTER, TEXTURING = _state["Lights"], _raster["Raster"], _unit["Texturing"]
+LIGHT, LIGHTS, RASTER, TEXTURING = _state["Light"], _state["Lights"], _raster["Raster"], _unit["Texturing"]
 ROW_SIZE = 256
 
 # members of struct Face and of struct Light -> fields of machine.state.Face, in the same order, and of Light
@@ -109,21 +109,24 @@ def materials(objects: Sequence[Object]) -> Rows:
 def lights(lighting: Lighting) -> Rows:
     """The block Lights: () LIGHTS."""
     block = np.zeros((), LIGHTS)
-    block["lights"] = [_light(light) for light in lighting.lights]
+    rows = block["lights"]
+    for k, light in enumerate(lighting.lights):
+        rows[k] = _light(light)
     block["I_a_scene"] = lighting.ambient
     return block
 
 
 @lru_cache(maxsize=256)
-def _light(light: Light) -> tuple[Any, ...]:
-    """The members of struct Light, in their order."""
+def _light(light: Light) -> Rows:
+    """struct Light: () LIGHT."""
     x, y, z, w = light.position
     position = (x / w, y / w, z / w) if w else _unit_vector((x, y, z))
-    return (
+    members = (
         (*position, w), light.ambient, light.diffuse, light.specular,
         _unit_vector(light.spot_direction), light.spot_exponent,
         light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation, cos_spot_cutoff(light),
     )  # fmt: skip
+    return np.array(members, LIGHT)
 
 
 def cos_spot_cutoff(light: Light) -> float:

@@ -197,6 +197,7 @@ def test_the_folded_source_has_only_what_runs(screen: glsim.Offscreen) -> None:
     assert "(N.H)" not in gouraud["fragment"]
     assert "blinn_torrance" in gouraud["vertex"]
     assert "vec3 R = dot(N, L) * N + S;" in phong["fragment"]
+    assert re.search(r"modelview_projection \* P; +// in clip space", gouraud["vertex"])
     assert "blinn_torrance" not in phong["fragment"]
     assert "spotlight(" not in gouraud["vertex"]
     assert len(gouraud["fragment"].splitlines()) < 40
