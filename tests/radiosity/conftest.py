@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from importlib.util import find_spec
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 
-from glsim.radiosity.formfactors import FormFactors
-from glsim.radiosity.methods import compute
-from glsim.radiosity.scenes import BUILT_IN
-from glsim.radiosity.subdivide import subdivide
-from tests.radiosity.helpers import REFERENCE
+if TYPE_CHECKING:
+    from glsim.radiosity.formfactors import FormFactors
 
 # Without the packages of glsim[radiosity] none of these files can be imported.
 collect_ignore_glob = [] if find_spec("numba") and find_spec("embreex") else ["test_*.py"]
@@ -19,10 +17,16 @@ collect_ignore_glob = [] if find_spec("numba") and find_spec("embreex") else ["t
 
 @pytest.fixture(scope="package")
 def closed() -> FormFactors:
+    from glsim.radiosity.methods import compute
+    from glsim.radiosity.scenes import BUILT_IN
+    from glsim.radiosity.subdivide import subdivide
+
     return compute(subdivide(BUILT_IN["cornell-closed"].make().checked(), 900))
 
 
 @pytest.fixture(scope="package")
 def traced() -> dict[str, np.ndarray]:
+    from tests.radiosity.helpers import REFERENCE
+
     with np.load(REFERENCE / "cornell_black_front.npz") as stored:
         return {name: stored[name] for name in stored.files}
