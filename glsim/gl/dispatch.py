@@ -82,9 +82,9 @@ def public(command: Command, body: Function, parameters: tuple[str, ...], defaul
     code with other names costs less than compiling it again.  For glTranslatef:
 
         code = made.__code__                               # def command(a0, a1, a2, *surplus): machine = current ...
-        code.co_varnames                                    # ("a0", "a1", "a2", "surplus", "machine", "error")
+        code.co_varnames                                   # ("a0", "a1", "a2", "surplus", "machine", "error")
         made.__code__ = code.replace(co_varnames=("x", "y", "z", "surplus", ...), co_name="glTranslatef")
-        glTranslatef(x=1.0, y=0.0, z=0.0)                      # so keywords, tracebacks and help() have the true names
+        glTranslatef(x=1.0, y=0.0, z=0.0)                  # so keywords, tracebacks and help() have the true names
     """
     made = _binder(len(parameters), command.inside, command.name in EXACT)(command.name, body, ERRORS, again)
     code = made.__code__
