@@ -22,7 +22,13 @@ def again(error: Exception, name: str, arguments: tuple[Any, ...]) -> Any:
     """A command failed: run it once more with Python's numbers instead of ctypes', or raise a sentence.
 
     So c_float, byref and pointers may stand wherever numbers and arrays do, and nobody who passes Python's numbers
-    pays for it.
+    pays for it:
+
+        glVertex2f(c_float(1.0), 2.0)                    # the body: struct.error, "required argument is not a float"
+        again(error, "glVertex2f", (c_float(1.0), 2.0))  # python_arguments -> (1.0, 2.0): another object, so
+        glVertex2f(1.0, 2.0)                             # ... the second run, which stores the vertex
+        again(error, "glVertex2f", ("a", 2.0))           # nothing is another object, a second run would fail alike:
+                                                         # TypeError "glVertex2f: x must be a number, not 'a'"
     """
     machine, given = current_machine(), python_arguments(COMMANDS[name], arguments)
     current = [getattr(machine, register) for register in REGISTERS]

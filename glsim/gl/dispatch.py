@@ -76,7 +76,16 @@ def _signature(parameters: tuple[str, ...], defaults: tuple[Any, ...] | None) ->
 
 
 def public(command: Command, body: Function, parameters: tuple[str, ...], defaults: tuple[Any, ...] | None) -> Function:
-    """A public function with the command's own name and argument names."""
+    """A public function with the command's own name and argument names.
+
+    All commands of three arguments share the code that ``_binder`` compiled once; only names differ, and a copy of the
+    code with other names costs less than compiling it again.  For glTranslatef:
+
+        code = made.__code__                               # def command(a0, a1, a2, *surplus): machine = current ...
+        code.co_varnames                                   # ("a0", "a1", "a2", "surplus", "machine", "error")
+        made.__code__ = code.replace(co_varnames=("x", "y", "z", "surplus", ...), co_name="glTranslatef")
+        glTranslatef(x=1.0, y=0.0, z=0.0)                  # so keywords, tracebacks and help() have the true names
+    """
     made = _binder(len(parameters), command.inside, command.name in EXACT)(command.name, body, ERRORS, again)
     code = made.__code__
     made.__code__ = code.replace(

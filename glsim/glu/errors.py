@@ -106,6 +106,6 @@ def gluGetString(name: int) -> bytes:
 
 
 def gluCheckExtension(extName: str | bytes, extString: str | bytes) -> bool:
-    """Whether a list of names, such as glGetString(GL_EXTENSIONS), has a name."""
+    """Whether the name ``extName`` is in ``extString``, a list such as glGetString(GL_EXTENSIONS)."""
     name, names = (text.encode() if isinstance(text, str) else bytes(text) for text in (extName, extString))
     return name in names.split()

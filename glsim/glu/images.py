@@ -111,6 +111,7 @@ def _build(
 
 
 def gluBuild1DMipmaps(target: int, internalFormat: int, width: int, format: int, type: int, data: Any) -> int:
+    """All levels of a one-dimensional texture from a row of ``width`` pixels; it is scaled to a power of two first."""
     return _build("gluBuild1DMipmaps", target, internalFormat, (int(width),), format, type, data)
 
 
@@ -124,6 +125,7 @@ def gluBuild2DMipmaps(
 def gluBuild3DMipmaps(
     target: int, internalFormat: int, width: int, height: int, depth: int, format: int, type: int, data: Any
 ) -> int:
+    """All levels of a three-dimensional texture from an image of any size; it is scaled to powers of two first."""
     size = int(depth), int(height), int(width)
     return _build("gluBuild3DMipmaps", target, internalFormat, size, format, type, data)
 

@@ -87,11 +87,12 @@ class Nurbs:
 
 
 def gluNewNurbsRenderer() -> Nurbs:
+    """A new object for the gluNurbs... functions, with the initial properties."""
     return Nurbs()
 
 
 def gluDeleteNurbsRenderer(nurb: Nurbs) -> None:
-    pass
+    """Accepted without effect: Python frees the object."""
 
 
 def gluNurbsCallback(nurb: Nurbs, which: int, CallBackFunc: Callable[..., Any] | None) -> None:
@@ -151,18 +152,21 @@ def gluLoadSamplingMatrices(nurb: Nurbs, model: Any, perspective: Any, view: Any
 
 
 def gluBeginCurve(nurb: Nurbs) -> None:
+    """Begin a NURBS curve: gluNurbsCurve describes it, gluEndCurve draws it."""
     if nurb.begun == "Curve":
         nurb.fail(6, "gluBeginCurve: gluEndCurve must come first")
     nurb.begun, nurb.maps = "Curve", {}
 
 
 def gluBeginSurface(nurb: Nurbs) -> None:
+    """Begin a NURBS surface: gluNurbsSurface describes it, gluEndSurface draws it."""
     if nurb.begun == "Surface":
         nurb.fail(27, "gluBeginSurface: gluEndSurface must come first")
     nurb.begun, nurb.maps, nurb.trims = "Surface", {}, []
 
 
 def gluBeginTrim(nurb: Nurbs) -> None:
+    """Begin a closed loop of trimming curves in the surface's (u, v); the part on the left of the loop stays."""
     if nurb.begun != "Surface":
         nurb.fail(15, "gluBeginTrim: gluBeginSurface must come first")
         return
@@ -171,6 +175,7 @@ def gluBeginTrim(nurb: Nurbs) -> None:
 
 
 def gluEndTrim(nurb: Nurbs) -> None:
+    """End the trimming loop that gluBeginTrim began."""
     if not nurb.trimming:
         nurb.fail(17, "gluEndTrim: gluBeginTrim must come first")
     nurb.trimming = False

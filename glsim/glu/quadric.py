@@ -72,26 +72,31 @@ class Quadric:
 
 
 def gluNewQuadric() -> Quadric:
+    """A new object for gluSphere, gluCylinder and gluDisk: filled, smooth normals outwards, no texture coordinates."""
     return Quadric()
 
 
 def gluDeleteQuadric(quad: Quadric) -> None:
-    pass
+    """Accepted without effect: Python frees the object."""
 
 
 def gluQuadricDrawStyle(quad: Quadric, draw: int) -> None:
+    """Draw quadrics as ``draw`` says: GLU_FILL, GLU_LINE, GLU_SILHOUETTE (no lines between faces) or GLU_POINT."""
     quad.choose("style", "gluQuadricDrawStyle", draw, (FILL, LINE, SILHOUETTE, POINT))
 
 
 def gluQuadricNormals(quad: Quadric, normal: int) -> None:
+    """normal: GLU_SMOOTH gives one normal a vertex, GLU_FLAT one a face, GLU_NONE none."""
     quad.choose("normals", "gluQuadricNormals", normal, (NONE, FLAT, SMOOTH))
 
 
 def gluQuadricOrientation(quad: Quadric, orientation: int) -> None:
+    """orientation: the side that normals point to and that faces show, GLU_OUTSIDE or GLU_INSIDE."""
     quad.choose("orientation", "gluQuadricOrientation", orientation, (OUTSIDE, INSIDE))
 
 
 def gluQuadricTexture(quad: Quadric, texture: bool) -> None:
+    """texture: whether quadrics get texture coordinates."""
     quad.texture = bool(texture)
 
 
@@ -133,7 +138,10 @@ def _rings(radii: Single, sines: list[float], cosines: list[float]) -> tuple[lis
 
 
 def gluCylinder(quad: Quadric, base: float, top: float, height: float, slices: int, stacks: int) -> None:
-    """Around the z axis from z = 0 with radius ``base`` to z = height with radius ``top``; no caps."""
+    """Draw a cylinder or cone around the z axis, without caps, from z = 0 to z = height.
+
+    base, top: radii at z = 0 and z = height.  slices: pieces around the axis; stacks: pieces along it.
+    """
     slices, stacks = int(slices), int(stacks)
     if slices < 2 or stacks < 1 or base < 0 or top < 0 or height < 0:
         quad.fail("gluCylinder", "needs at least 2 slices, 1 stack, and radii and a height of at least 0")
@@ -186,7 +194,10 @@ def gluCylinder(quad: Quadric, base: float, top: float, height: float, slices: i
 
 
 def gluDisk(quad: Quadric, inner: float, outer: float, slices: int, loops: int) -> None:
-    """In the plane z = 0, with a hole of radius ``inner``."""
+    """Draw a disc in the plane z = 0 around the origin, seen from +z.
+
+    inner: radius of the hole, 0 for none.  outer: radius of the disc.  slices: pieces around; loops: rings.
+    """
     gluPartialDisk(quad, inner, outer, slices, loops, 0.0, 360.0)
 
 
@@ -371,7 +382,10 @@ class _Sphere:
 
 
 def gluSphere(quad: Quadric, radius: float, slices: int, stacks: int) -> None:
-    """Around the origin; the poles are on the z axis."""
+    """Draw a sphere around the origin whose poles lie on the z axis.
+
+    radius: in object coordinates.  slices: pieces around the z axis (of longitude); stacks: along it (of latitude).
+    """
     slices, stacks = int(slices), int(stacks)
     if slices < 2 or stacks < 1 or radius < 0:
         quad.fail("gluSphere", "needs at least 2 slices, 1 stack and a radius of at least 0")

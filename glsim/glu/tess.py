@@ -96,11 +96,12 @@ class Tessellator:
 
 
 def gluNewTess() -> Tessellator:
+    """A new object for the gluTess... functions, without callbacks, with the winding rule GLU_TESS_WINDING_ODD."""
     return Tessellator()
 
 
 def gluDeleteTess(tess: Tessellator) -> None:
-    pass
+    """Accepted without effect: Python frees the object."""
 
 
 def gluTessCallback(tess: Tessellator, which: int, function: Callable[..., Any] | None) -> None:
@@ -156,6 +157,7 @@ def gluTessBeginPolygon(tess: Tessellator, data: Any = None) -> None:
 
 
 def gluTessBeginContour(tess: Tessellator) -> None:
+    """Begin a contour of the polygon: its vertices come by gluTessVertex, in order around it."""
     tess.require(1, "gluTessBeginContour")
     assert tess.contours is not None
     tess.contours.append([])
@@ -174,6 +176,7 @@ def gluTessVertex(tess: Tessellator, location: Any, data: Any = None) -> None:
 
 
 def gluTessEndContour(tess: Tessellator) -> None:
+    """End the contour; its last vertex is joined to its first."""
     tess.require(2, "gluTessEndContour")
     tess.open = False
 
@@ -206,16 +209,19 @@ def gluTessEndPolygon(tess: Tessellator) -> None:
 
 
 def gluBeginPolygon(tess: Tessellator) -> None:
+    """GLU 1.1: begin a polygon and its first contour."""
     gluTessBeginPolygon(tess)
     gluTessBeginContour(tess)
 
 
 def gluNextContour(tess: Tessellator, type: int = 0) -> None:
+    """GLU 1.1: end a contour and begin the next one.  type: ignored, the winding rule says what is a hole."""
     gluTessEndContour(tess)
     gluTessBeginContour(tess)
 
 
 def gluEndPolygon(tess: Tessellator) -> None:
+    """GLU 1.1: end the last contour and the polygon, which is cut into triangles."""
     gluTessEndContour(tess)
     gluTessEndPolygon(tess)
 

@@ -14,7 +14,12 @@ Float = NDArray[np.float64]
 
 
 def gluPerspective(fovy: float, aspect: float, zNear: float, zFar: float) -> None:
-    """Multiply by a perspective projection.  fovy: degrees from bottom to top; aspect: width / height."""
+    """Multiply the current matrix by a perspective projection (gluPerspective's manual page, GLU 1.3).
+
+    fovy: the angle between the lowest and the highest ray, in degrees.  aspect: width / height of the picture.
+    zNear, zFar: distances from the eye to the near and the far clipping plane along the line of sight, both positive,
+    in the units of eye coordinates.  Nothing happens if fovy or aspect is 0, or zNear is zFar.
+    """
     radians = math.radians(float(fovy) / 2)
     depth, sine = zFar - zNear, math.sin(radians)
     if depth == 0 or sine == 0 or aspect == 0:
@@ -27,6 +32,10 @@ def gluPerspective(fovy: float, aspect: float, zNear: float, zFar: float) -> Non
 
 
 def gluOrtho2D(left: float, right: float, bottom: float, top: float) -> None:
+    """Multiply the current matrix by a parallel projection for drawing in the plane, glOrtho with z from -1 to 1.
+
+    left, right, bottom, top: eye coordinates at the edges of the picture.
+    """
     gl.glOrtho(left, right, bottom, top, -1, 1)
 
 
@@ -34,7 +43,11 @@ def gluLookAt(
     eyeX: float, eyeY: float, eyeZ: float, centerX: float, centerY: float, centerZ: float, upX: float, upY: float,
     upZ: float,
 ) -> None:  # fmt: skip
-    """Look from the eye to the centre, with ``up`` upwards on the screen."""
+    """Multiply the current matrix so that the camera stands at the eye and looks at the centre.
+
+    eyeX, eyeY, eyeZ: where the camera stands.  centerX, centerY, centerZ: the point in the middle of the picture.
+    upX, upY, upZ: the direction that points upwards in the picture.  All in the coordinates that the matrix takes.
+    """
     forward = _unit(np.array([centerX - eyeX, centerY - eyeY, centerZ - eyeZ], np.float32))
     side = _unit(np.cross(forward, np.array([upX, upY, upZ], np.float32)))
     up = np.cross(side, forward)
@@ -50,7 +63,12 @@ def _unit(v: NDArray[np.float32]) -> NDArray[np.float32]:
 
 
 def gluPickMatrix(x: float, y: float, deltax: float, deltay: float, viewport: Any = None) -> None:
-    """Enlarge the deltax x deltay pixels around (x, y) to the whole viewport; for selection."""
+    """Multiply the current matrix so that a few pixels fill the whole viewport: for picking in GL_SELECT mode.
+
+    x, y: the middle of these pixels, from the lower left corner of the window.  deltax, deltay: how many there are,
+    across and up; nothing happens unless both are positive.  viewport: x, y, width, height in pixels; None for the
+    current one.
+    """
     if deltax <= 0 or deltay <= 0:
         return
     left, bottom, width, height = gl.glGetIntegerv(gl.GL_VIEWPORT) if viewport is None else np.ravel(viewport)[:4]
@@ -69,9 +87,11 @@ def matrices(model: Any, proj: Any, view: Any) -> tuple[Float, Float, Float]:
 def gluProject(
     objX: float, objY: float, objZ: float, model: Any = None, proj: Any = None, view: Any = None
 ) -> tuple[float, float, float]:
-    """Object coordinates -> window coordinates (x, y in pixels, depth in [0, 1]).
+    """Window coordinates of a point: x and y in pixels from the lower left corner, depth in [0, 1].
 
-    Raises ValueError if the point has no place on the screen (w is 0).
+    objX, objY, objZ: the point in object coordinates.  model, proj: matrices of 16 numbers, column first; view: x, y,
+    width, height in pixels; None for what the context has.  Raises ValueError if w of the point in clip coordinates
+    is 0.
     """
     modelview, projection, viewport = matrices(model, proj, view)
     clip = np.array([objX, objY, objZ, 1.0]) @ modelview @ projection
@@ -85,7 +105,11 @@ def gluProject(
 def gluUnProject(
     winX: float, winY: float, winZ: float, model: Any = None, proj: Any = None, view: Any = None
 ) -> tuple[float, float, float]:
-    """Window coordinates -> object coordinates.  Raises ValueError if the matrices have no inverse."""
+    """Object coordinates (x, y, z) of a point in the window: the inverse of gluProject.
+
+    winX, winY: pixels from the lower left corner.  winZ: depth in [0, 1].  model, proj, view: as gluProject takes them.
+    Raises ValueError if modelview times projection has no inverse.
+    """
     x, y, z, _ = _unproject(winX, winY, winZ, 1.0, model, proj, view, 0.0, 1.0, "gluUnProject")
     return x, y, z
 

@@ -44,6 +44,7 @@ def glutInit(*arguments: Any) -> list[Any]:
 
 
 def glutInitDisplayMode(displayMode: int) -> None:
+    """Choose the buffers of windows to come.  displayMode: GLUT_RGB, GLUT_DOUBLE, GLUT_DEPTH, ..., joined by |."""
     if displayMode & NAMES["GLUT_INDEX"]:
         raise ValueError("glutInitDisplayMode: colour-index mode (GLUT_INDEX) is not emulated; use GLUT_RGB")
     settings.mode = int(displayMode)
@@ -65,10 +66,12 @@ def glutInitDisplayString(displayMode: Any) -> None:
 
 
 def glutInitWindowPosition(x: int, y: int) -> None:
+    """Where windows to come have their upper left corner: x, y in pixels from that of the screen."""
     settings.place = int(x), int(y)
 
 
 def glutInitWindowSize(width: int, height: int) -> None:
+    """Size of windows to come: width and height in pixels, from 1 to 16384."""
     settings.size = _size("glutInitWindowSize", width, height)
 
 
@@ -87,6 +90,7 @@ def glutInitContextFlags(flags: int) -> None:
 
 
 def glutInitContextProfile(profile: int) -> None:
+    """Accepted for the compatibility profile.  Raises ValueError for GLUT_CORE_PROFILE, which has no fixed function."""
     if profile & NAMES["GLUT_CORE_PROFILE"]:
         raise ValueError("glutInitContextProfile: a core profile has no fixed function; glsim emulates nothing else")
 
@@ -99,6 +103,7 @@ glutInitWarningFunc = glutInitErrorFunc
 
 
 def glutSetOption(option: int, value: int) -> None:
+    """Set an option of freeglut, such as GLUT_ACTION_ON_WINDOW_CLOSE; glutGet gives it back."""
     settings.options[int(option)] = int(value)
     if option == JOIN_DOTS:
         fonts.draw_join_dots = bool(value)
@@ -108,6 +113,7 @@ def glutSetOption(option: int, value: int) -> None:
 
 
 def glutCreateWindow(title: Any = "", *rest: Any) -> int:
+    """Open a window with this title, as glutInit... said, make it current and return its number."""
     return loop.open(text_of(title), settings.place, settings.size, settings.mode, None)
 
 
@@ -122,20 +128,24 @@ def glutCreateSubWindow(window: int, x: int, y: int, width: int, height: int) ->
 
 
 def glutDestroyWindow(window: int) -> None:
+    """Close the window with this number, and the windows inside of it."""
     loop.close(int(window))
 
 
 def glutSetWindow(window: int) -> None:
+    """Make the window with this number current: gl and glut functions act on it."""
     found = loop.windows.get(int(window))
     if found is not None:
         loop.choose(found)
 
 
 def glutGetWindow() -> int:
+    """The number of the current window; 0 if there is none."""
     return loop.current.ident if loop.current is not None else 0
 
 
 def glutSetWindowTitle(title: Any) -> None:
+    """Write a title, a str or bytes, above the current window."""
     current_window("glutSetWindowTitle").title = text_of(title)
 
 
@@ -144,6 +154,7 @@ def glutSetIconTitle(title: Any) -> None:
 
 
 def glutPositionWindow(x: int, y: int) -> None:
+    """Move the current window: x, y of its upper left corner, in pixels from that of the screen."""
     current_window("glutPositionWindow").place = int(x), int(y)
 
 
@@ -163,11 +174,13 @@ def glutFullScreen() -> None:
 
 
 def glutLeaveFullScreen() -> None:
+    """Give the current window the size again that it had before glutFullScreen."""
     window = current_window("glutLeaveFullScreen")
     window.asked = settings.full_screen_before.pop(window.ident, window.asked)
 
 
 def glutFullScreenToggle() -> None:
+    """glutFullScreen, or glutLeaveFullScreen if the current window is as large as the screen already."""
     if current_window("glutFullScreenToggle").ident in settings.full_screen_before:
         glutLeaveFullScreen()
     else:
@@ -175,11 +188,13 @@ def glutFullScreenToggle() -> None:
 
 
 def glutShowWindow() -> None:
+    """Show the current window again, after glutHideWindow or glutIconifyWindow."""
     window = current_window("glutShowWindow")
     window.hidden, window.dirty = False, True
 
 
 def glutHideWindow() -> None:
+    """Hide the current window: it is not drawn until glutShowWindow."""
     current_window("glutHideWindow").hidden = True
 
 
@@ -194,6 +209,7 @@ glutPushWindow = glutPopWindow
 
 
 def glutSetCursor(cursor: int) -> None:
+    """Choose the mouse cursor of the current window, such as GLUT_CURSOR_CROSSHAIR."""
     current_window("glutSetCursor").cursor = cursor  # type: ignore[assignment]
 
 
@@ -202,10 +218,12 @@ def glutWarpPointer(x: int, y: int) -> None:
 
 
 def glutGetWindowData() -> Any:
+    """What glutSetWindowData attached to the current window; None at first."""
     return current_window("glutGetWindowData").data
 
 
 def glutSetWindowData(data: Any) -> None:
+    """Attach any object to the current window."""
     current_window("glutSetWindowData").data = data
 
 
@@ -219,11 +237,13 @@ def glutSwapBuffers() -> None:
 
 
 def glutPostRedisplay() -> None:
+    """Ask for the current window to be drawn: its display callback is called in the next step."""
     if loop.current is not None:
         loop.current.dirty = True
 
 
 def glutPostWindowRedisplay(window: int) -> None:
+    """Ask for the window with this number to be drawn in the next step."""
     if int(window) in loop.windows:
         loop.windows[int(window)].dirty = True
 
@@ -232,6 +252,7 @@ def glutPostWindowRedisplay(window: int) -> None:
 
 
 def glutMainLoop() -> None:
+    """Call the callbacks, step after step, until the program leaves it.  Raises RuntimeError without a window."""
     if not loop.windows:
         raise RuntimeError("glutMainLoop: there is no window: call glutCreateWindow first")
     if loop.on_step is None:  # not under glsim run
@@ -242,7 +263,7 @@ def glutMainLoop() -> None:
 
 
 def glutMainLoopEvent() -> None:
-    """One step of the loop."""
+    """Take one step of the main loop: call the callbacks of what has happened, then draw."""
     loop.one_step()
 
 
@@ -250,10 +271,12 @@ glutCheckLoop = glutMainLoopEvent
 
 
 def glutLeaveMainLoop() -> None:
+    """Let glutMainLoop return after this step."""
     loop.left = True
 
 
 def glutExit() -> None:
+    """End the program, whatever it is doing."""
     raise FinishedError
 
 
@@ -312,6 +335,7 @@ globals().update({f"glut{kind}Func": _registrar(kind) for kind in PER_WINDOW})
 
 
 def glutIdleFunc(callback: Callable[[], Any] | None = None) -> None:
+    """Call ``callback()`` in every step of the main loop, after timers and before drawing; None: no longer."""
     loop.idle = callback if callable(callback) else None
 
 
@@ -368,20 +392,24 @@ def glutGet(state: int) -> int:
 
 
 def glutDeviceGet(type: int) -> int:
+    """What the machine's devices are: for example 3 for GLUT_NUM_MOUSE_BUTTONS."""
     if type in (NAMES["GLUT_HAS_KEYBOARD"], NAMES["GLUT_HAS_MOUSE"]):
         return 1
     return 3 if type == NAMES["GLUT_NUM_MOUSE_BUTTONS"] else 0
 
 
 def glutGetModifiers() -> int:
+    """The keys held down with the present event: GLUT_ACTIVE_SHIFT, _CTRL and _ALT, joined by |."""
     return loop.modifiers
 
 
 def glutLayerGet(type: int) -> int:
+    """1 for GLUT_NORMAL_DAMAGED while the current window waits to be drawn, else 0: there are no overlays."""
     return int(type == NAMES["GLUT_NORMAL_DAMAGED"] and bool(loop.current and loop.current.dirty))
 
 
 def glutGameModeString(string: Any) -> None:
+    """Choose size and depth for glutEnterGameMode: "640x480:32@60" is 640 x 480 pixels (the rest has no effect)."""
     settings.game_mode = text_of(string)
 
 
@@ -394,11 +422,13 @@ def glutEnterGameMode() -> int:
 
 
 def glutLeaveGameMode() -> None:
+    """Close the window of glutEnterGameMode."""
     if loop.current is not None:
         loop.close(loop.current.ident)
 
 
 def glutGameModeGet(mode: int) -> int:
+    """A value of the game mode, such as GLUT_GAME_MODE_WIDTH in pixels; 0 for what is unknown."""
     known = {
         "GLUT_GAME_MODE_POSSIBLE": 1, "GLUT_GAME_MODE_WIDTH": SCREEN[0], "GLUT_GAME_MODE_HEIGHT": SCREEN[1],
         "GLUT_GAME_MODE_PIXEL_DEPTH": 32, "GLUT_GAME_MODE_REFRESH_RATE": 60,
@@ -407,6 +437,7 @@ def glutGameModeGet(mode: int) -> int:
 
 
 def glutExtensionSupported(extension: Any) -> int:
+    """1 if the name is in glGetString(GL_EXTENSIONS), else 0.  Needs a window."""
     from glsim import gl
 
     there: Any = gl.glGetString(gl.GL_EXTENSIONS)
@@ -437,6 +468,7 @@ def glutSetColor(cell: int, red: float, green: float, blue: float) -> None:
 
 
 def glutGetColor(cell: int, component: int) -> float:
+    """Always -1.0: there is no colour-index mode."""
     return -1.0
 
 
@@ -445,6 +477,7 @@ def glutCopyColormap(window: int) -> None:
 
 
 def glutEstablishOverlay() -> None:
+    """Raises RuntimeError: there are no overlays."""
     raise RuntimeError("glutEstablishOverlay: there are no overlays here; glutLayerGet(GLUT_OVERLAY_POSSIBLE) says so")
 
 
@@ -464,6 +497,7 @@ def glutUseLayer(layer: int) -> None:
 
 
 def glutVideoResizeGet(param: int) -> int:
+    """Always 0: the size of the video signal cannot be changed."""
     return 0
 
 
@@ -482,4 +516,5 @@ glutVideoPan = glutVideoResize
 
 
 def glutGetModeValues(mode: int, size: Any = None) -> Any:
+    """An empty array: freeglut has modes to choose from on X11 only."""
     return (ctypes.c_int * 0)()

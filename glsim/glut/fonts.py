@@ -172,7 +172,7 @@ def glutBitmapCharacter(font: BitmapFont, character: int | str | bytes) -> None:
 
 
 def glutBitmapString(font: BitmapFont, string: bytes | str) -> None:
-    """A newline moves the raster position back to the start and down by the font's height."""
+    """Draw a text at the raster position; a newline moves it back to the start and down by the font's height."""
     glyphs = _bitmap("glutBitmapString", font).glyphs
     codes = _codes("glutBitmapString", string)
     if not codes:
@@ -190,20 +190,20 @@ def glutBitmapString(font: BitmapFont, string: bytes | str) -> None:
 
 
 def glutBitmapWidth(font: BitmapFont, character: int | str | bytes) -> int:
-    """In pixels; 0 for numbers outside 1 to 255."""
+    """Width of a character in pixels; 0 for numbers outside 1 to 255."""
     glyph = _bitmap("glutBitmapWidth", font).glyphs.get(_code("glutBitmapWidth", character))
     return 0 if glyph is None else glyph.width
 
 
 def glutBitmapLength(font: BitmapFont, string: bytes | str) -> int:
-    """Of the longest line, in pixels."""
+    """Width of the longest line of a text, in pixels."""
     glyphs = _bitmap("glutBitmapLength", font).glyphs
     lines = _codes("glutBitmapLength", string).split(b"\n")
     return max(sum(glyphs[code].width for code in line) for line in lines)
 
 
 def glutBitmapHeight(font: BitmapFont) -> int:
-    """From line to line, in pixels."""
+    """Distance from line to line, in pixels."""
     return _bitmap("glutBitmapHeight", font).height
 
 
@@ -230,7 +230,7 @@ def glutStrokeCharacter(font: StrokeFont, character: int | str | bytes) -> None:
 
 
 def glutStrokeString(font: StrokeFont, string: bytes | str) -> None:
-    """A newline moves the origin back to the start and down by the font's height."""
+    """Draw a text in lines; a newline moves the origin back to the start and down by the font's height."""
     glyphs = _stroke("glutStrokeString", font).glyphs
     length = np.float32(0)
     for code in _codes("glutStrokeString", string):
@@ -245,23 +245,23 @@ def glutStrokeString(font: StrokeFont, string: bytes | str) -> None:
 
 
 def glutStrokeWidthf(font: StrokeFont, character: int | str | bytes) -> float:
-    """0 for characters that the font does not have."""
+    """Width of a character in object coordinates; 0 for characters that the font does not have."""
     glyph = _stroke("glutStrokeWidthf", font).glyphs.get(_code("glutStrokeWidthf", character))
     return 0.0 if glyph is None else glyph.advance
 
 
 def glutStrokeWidth(font: StrokeFont, character: int | str | bytes) -> int:
-    """Rounded."""
+    """Width of a character in object coordinates, rounded."""
     return int(glutStrokeWidthf(_stroke("glutStrokeWidth", font), _code("glutStrokeWidth", character)) + 0.5)
 
 
 def glutStrokeLengthf(font: StrokeFont, string: bytes | str) -> float:
-    """Of the longest line."""
+    """Width of the longest line of a text, in object coordinates."""
     return _longest(_stroke("glutStrokeLengthf", font), _codes("glutStrokeLengthf", string))
 
 
 def glutStrokeLength(font: StrokeFont, string: bytes | str) -> int:
-    """Of the longest line, rounded."""
+    """Width of the longest line of a text, in object coordinates, rounded."""
     return int(_longest(_stroke("glutStrokeLength", font), _codes("glutStrokeLength", string)) + 0.5)
 
 
@@ -272,5 +272,5 @@ def _longest(font: StrokeFont, codes: bytes) -> float:
 
 
 def glutStrokeHeight(font: StrokeFont) -> float:
-    """From line to line."""
+    """Distance from line to line, in object coordinates."""
     return _stroke("glutStrokeHeight", font).height

@@ -383,12 +383,12 @@ def _faces(vertices: Array, normals: Array, corners: int, wire: bool) -> Geometr
 
 
 def glutSolidCube(size: float) -> None:
-    """Around the origin, with edges of length ``size``."""
+    """Draw a cube around the origin with edges of length ``size``, in object coordinates."""
     draw_geometry(_solid("cube", False, length("glutSolidCube", "size", size)))
 
 
 def glutWireCube(size: float) -> None:
-    """One line loop for each face."""
+    """Draw the edges of a cube around the origin; ``size``: their length, in object coordinates."""
     draw_geometry(_solid("cube", True, length("glutWireCube", "size", size)))
 
 
@@ -465,7 +465,7 @@ def glutSolidSierpinskiSponge(num_levels: int, offset: Sequence[float], scale: f
 
 
 def glutWireSierpinskiSponge(num_levels: int, offset: Sequence[float], scale: float) -> None:
-    """One line loop for each face."""
+    """The edges of glutSolidSierpinskiSponge: one line loop for each face."""
     _draw_sponge("glutWireSierpinskiSponge", num_levels, offset, scale, True)
 
 

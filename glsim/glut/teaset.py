@@ -121,7 +121,7 @@ def glutSolidTeapot(size: float) -> None:
 
 
 def glutWireTeapot(size: float) -> None:
-    """Line strips along both directions of each patch."""
+    """The Utah teapot in lines along both directions of each patch."""
     shapes.draw_geometry(_tea("teapot", length("glutWireTeapot", "size", size), True))
 
 
@@ -131,7 +131,7 @@ def glutSolidTeacup(size: float) -> None:
 
 
 def glutWireTeacup(size: float) -> None:
-    """Line strips along both directions of each patch."""
+    """The Utah teacup in lines along both directions of each patch."""
     shapes.draw_geometry(_tea("teacup", length("glutWireTeacup", "size", size), True))
 
 
@@ -141,5 +141,5 @@ def glutSolidTeaspoon(size: float) -> None:
 
 
 def glutWireTeaspoon(size: float) -> None:
-    """Line strips along both directions of each patch."""
+    """The Utah teaspoon in lines along both directions of each patch."""
     shapes.draw_geometry(_tea("teaspoon", length("glutWireTeaspoon", "size", size), True))

@@ -3,6 +3,13 @@
 The commands read it from one global name, ``current`` of glsim/gl/immediate.py.  As long as a single thread has a
 machine, it is that machine.  When a second thread has one too, it is a Router, which runs each command again as the
 calling thread's own copy: a function of the same code whose global ``current`` is the thread's machine.
+
+    def glNormal3f(nx, ny, nz):        # in immediate.py, whose globals are the dict G
+        m = current                    # one thread: G["current"] is its machine, and this is all that is paid
+    mine = FunctionType(glNormal3f.__code__, {**G, "current": my_machine})  # Place.command("glNormal3f")
+    mine(0, 0, 1)                      # the same code, which finds my_machine under the name ``current``
+    glNormal3f(0, 0, 1)                # several threads: G["current"] is the Router, which is busy and has a recorder,
+                                       # so it is asked instead: Router.recorder("glNormal3f", (0, 0, 1)) calls mine
 """
 
 from __future__ import annotations

@@ -3,6 +3,14 @@
 A ``Matrix`` is a node: its parent and what was multiplied to it.  glTranslate, glRotate and glScale only make a node;
 numbers are computed when somebody needs them, for all matrices of a frame at once.  Values are arrays of shape (4, 4)
 whose first index is the COLUMN, so that the sixteen numbers lie in memory as glLoadMatrixf wants them.
+
+    top = identity()                               # value: np.eye(4)
+    top = Matrix(top, "translate", (1, 2, 3))      # what glTranslatef(1, 2, 3) does: no arithmetic, value is None
+    top = Matrix(top, "rotate", (90, 0, 0, 1))     # glRotatef(90, 0, 0, 1)
+    evaluate([top, ...])                           # at the flush: first all translations of a level, then all rotations
+    top.get()[3]                                   # [1, 2, 3, 1]: the LAST ROW of the array is the last column of M
+
+So a row of points p (n, 4) is transformed by ``p @ value``, which is M p for each of them.
 """
 
 from __future__ import annotations

@@ -117,7 +117,15 @@ def _of_the_program(error: Exception) -> bool:
 
 
 def is_a_sentence(error: Exception) -> bool:
-    """Whether a ``raise`` of glsim made the error; if not, it has the words of Python, NumPy or ctypes."""
+    """Whether a ``raise`` of glsim made the error; if not, it has the words of Python, NumPy or ctypes.
+
+    The bytecode instruction at which the innermost frame of the traceback stopped tells them apart:
+
+        raise ValueError("size must be 2, 3 or 4")  # stopped at RAISE_VARARGS, in a file of glsim -> True
+        float("a")                                  # stopped at CALL: float raised it             -> False
+        values[7]                                   # stopped at BINARY_SUBSCR                     -> False
+        int(argument)                               # RAISE_VARARGS in the program's own __int__   -> False
+    """
     at = error.__traceback__
     while at is not None and at.tb_next is not None:
         at = at.tb_next

@@ -39,7 +39,15 @@ class Stage(NamedTuple):
 @np.errstate(all="ignore")  # what is no number stays none, as on the GPU
 def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int, colors: bool = True) -> Stage:
     """The vertices ``chosen`` (numbers in the draw's block) as the GPU would have them, with the texture coordinates of
-    the first ``units`` units; without ``colors`` they are not lit."""
+    the first ``units`` units; without ``colors`` they are not lit.
+
+    The arrays hold the transposes of the specification's matrices (machine/matrix.py), and points are rows:
+
+        M = [[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]   # the specification's: moves by 5 along x
+        modelview = transpose(M)                                       # what Matrix.get() returns
+        M (1, 2, 3, 1)^T              = (6, 2, 3, 1)^T                 # one point, as a column
+        [[1, 2, 3, 1], ...] @ modelview = [[6, 2, 3, 1], ...]          # the same for n points, as rows
+    """
     block, state = draw.block, draw.state
     modelview, projection, *textures = (matrix.get().astype(np.float64) for matrix in draw.matrices)
     P = np.ones((len(chosen), 4))
