@@ -9,6 +9,7 @@ import glsim
 from glsim.gl import *
 from glsim.machine.current import make_current
 from glsim.play.capture import capture
+from tests.machine.moments import interrupted
 
 MODES = (
     GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,
@@ -107,19 +108,29 @@ def test_a_bad_rectangle_leaves_everything_as_it_was(screen: glsim.Offscreen) ->
         glRectf(0, 0, 1, 1)
 
 
-def test_many_materials_inside_many_primitives_take_no_time(screen: glsim.Offscreen) -> None:
-    """The search for the changes of one primitive does not look at those of all others."""
+def many_materials(count: int) -> None:
     glEnable(GL_LIGHTING)
-    for i in range(3000):
+    for i in range(count):
         glBegin(GL_QUADS)
         for k in range(4):
-            glMaterialfv(GL_FRONT, GL_DIFFUSE, (k / 4, i / 3000, 0, 1))
-            glVertex2f(k / 4, i / 3000)
+            glMaterialfv(GL_FRONT, GL_DIFFUSE, (k / 4, i / count, 0, 1))
+            glVertex2f(k / 4, i / count)
         glEnd()
+
+
+def test_many_materials_inside_many_primitives_take_no_time(screen: glsim.Offscreen) -> None:
+    """The search for the changes of one primitive looks at no other: twice as many, twice the work."""
+    passed = []
+    for count in (100, 200, 400):
+        screen.reset()
+        passed.append(interrupted(lambda count=count: (many_materials(count), screen.pixels())))
+    first, second, third = passed
+    assert first > 10_000
+    assert third - second < 2.2 * (second - first)
+    screen.reset()
     with capture() as frame:
-        pass
-    assert not frame.packets
-    screen.pixels()
+        many_materials(3000)
+    assert sum(draw.count if draw.indices is None else len(draw.indices) for draw in frame.draws) == 12_000
 
 
 def test_nan_vertices_draw_nothing_and_crash_nothing(screen: glsim.Offscreen) -> None:

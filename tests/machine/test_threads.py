@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gc
 import os
-import random
 import signal
 import sys
 import threading
@@ -18,7 +17,8 @@ from glsim.gl import *
 from glsim.gl import immediate
 from glsim.machine.current import current_machine, make_current
 from glsim.machine.interrupts import uninterrupted
-from tests.drawing import python
+from tests.drawing import portions, python
+from tests.machine.moments import interrupted
 
 
 def in_a_thread(work: Callable[[], object]) -> list[object]:
@@ -296,10 +296,11 @@ def test_what_is_ignored_stays_ignored() -> None:
         signal.signal(signal.SIGINT, before)
 
 
-# Exceptions from a timer at any moment of a program that opens, draws, reads, resizes and releases contexts.
+# Exceptions at any moment of a program that opens, draws, reads, resizes and releases contexts.
 INTERRUPTED = """
-import random, signal, time, glsim, numpy as np
+import random, signal, glsim, numpy as np
 from glsim.gl import *
+from tests.machine.moments import interrupted
 def handler(*a): raise KeyboardInterrupt
 signal.signal(signal.SIGALRM, handler)
 dice = random.Random(1); hits = 0
@@ -319,54 +320,52 @@ def work():
         draw(); screen.pixels(); screen.resize(17, 18); draw(); screen.depth()
     screen.release()
 keep = glsim.offscreen(16, 16); draw(); right = keep.pixels()
-work(); begin = time.perf_counter(); work(); duration = time.perf_counter() - begin
-for k in range(80):
-    try:
-        signal.setitimer(signal.ITIMER_REAL, dice.uniform(1e-4, duration))
-        work()
-        signal.setitimer(signal.ITIMER_REAL, 0)
+work(); moments = interrupted(work)
+for k in range(40):
+    try: interrupted(work, dice.randrange(1, moments))
     except KeyboardInterrupt: hits += 1
     except GLError: pass
-    signal.setitimer(signal.ITIMER_REAL, 0)
     keep.make_current(); keep.reset(); draw()
     assert np.array_equal(keep.pixels(), right), k
-print(hits)
+print(moments, hits)
 """
 
 
-@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="this platform has no interval timers")
+@pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="this platform has no SIGALRM")
 @pytest.mark.slow
 def test_exceptions_from_signals_break_nothing() -> None:
     done = python("-c", INTERRUPTED)
     assert done.returncode == 0, (done.returncode, done.stderr)
-    assert int(done.stdout) > 20
+    moments, hits = map(int, done.stdout.split())
+    assert moments > 10_000
+    assert hits > 35
 
 
-@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="this platform has no interval timers")
-@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # the timer hits callbacks of gc too
-def test_an_interrupted_list_leaves_the_calls_where_they_went(screen: glsim.Offscreen) -> None:
+@pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="this platform has no SIGALRM")
+@pytest.mark.parametrize("portion", portions(5))
+def test_an_interrupted_list_leaves_the_calls_where_they_went(portion: int, screen: glsim.Offscreen) -> None:
+    """A signal before each bytecode of three calls."""
+
     def handler(*arguments: object) -> None:
         raise KeyboardInterrupt
 
-    dice, hits = random.Random(1), 0
+    def work() -> None:
+        glNewList(1, GL_COMPILE)
+        glRectf(0, 0, 1, 1)
+        glEndList()
+
+    work()
+    screen.reset()
     before = signal.signal(signal.SIGALRM, handler)
     try:
-        for _ in range(2000):
-            try:
-                signal.setitimer(signal.ITIMER_REAL, dice.uniform(1e-5, 4e-4))
-                for _ in range(3):
-                    glNewList(1, GL_COMPILE)
-                    glRectf(0, 0, 1, 1)
-                    glEndList()
-                signal.setitimer(signal.ITIMER_REAL, 0)
-            except KeyboardInterrupt:
-                hits += 1
-            except GLError:
-                pass
-            signal.setitimer(signal.ITIMER_REAL, 0)
+        moments = interrupted(work)
+        screen.reset()
+        assert moments > 500
+        for moment in range(portion + 1, moments, 5):
+            with pytest.raises(KeyboardInterrupt):
+                interrupted(work, moment)
             assert immediate.current is current_machine() is screen.machine
+            assert signal.getsignal(signal.SIGALRM) is handler
             screen.reset()
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
-    assert hits > 100
