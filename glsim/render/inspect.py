@@ -159,10 +159,11 @@ class Inspector:
                 return None
             place, texels = self._read(0, x, y), [self._read(2 + unit, x, y) for unit in range(4)]
             depth = self._depth(x, y)
-        return Sample(
-            place[:3].astype(np.float64)[: piece.corners], float(place[3]), bool(primitive_of[2] > 0.0),
-            float(primitive_of[3]), depth, np.array(texels, np.float64),
-        )  # fmt: skip
+        with np.errstate(invalid="ignore"):  # a texel may be no number
+            return Sample(
+                place[:3].astype(np.float64)[: piece.corners], float(place[3]), bool(primitive_of[2] > 0.0),
+                float(primitive_of[3]), depth, np.array(texels, np.float64),
+            )  # fmt: skip
 
     def _read(self, probe: int, x: int, y: int) -> NDArray[np.float32]:
         data = self.target.read((x, y, 1, 1), 4, attachment=1 + probe, dtype="f4")

@@ -120,6 +120,7 @@ class Native:
                 self._reset_matrix(0x1702)  # GL_TEXTURE
             self._reset_matrix(0x1701)  # GL_PROJECTION
             self._reset_matrix(0x1700)  # GL_MODELVIEW
+            self._call("glColor4f", (1.0, 1.0, 1.0, 1.0))  # Mesa's glPopAttrib leaves a colour that no vertex has used
         self._call("glPushAttrib", (0xFFFFFFFF,))
         self._call("glPushClientAttrib", (0xFFFFFFFF,))
         self._call("glClear", (0x4500,))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import glsim
+from glsim.machine.frame import Call
 from glsim.play.capture import capture
 from glsim.render.native import Native, NoNativeError
 from tests.oracle import PROGRAMS
@@ -96,3 +97,11 @@ def test_the_comparison_can_fail(screen: glsim.Offscreen, native: Native) -> Non
     ]
     assert measure(screen.pixels(), native.replay(other)).coverage > 0
     assert np.any(screen.pixels())
+
+
+def test_a_replay_leaves_no_colour_behind(native: Native, screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        PROGRAMS["ortho_and_viewport"]()
+    before = native.replay(frame.calls).copy()
+    native.replay([Call("glColor4s", (40, -1, 0, 3))])
+    assert (native.replay(frame.calls) == before).all()
