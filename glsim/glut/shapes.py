@@ -33,7 +33,7 @@ class Part(NamedTuple):
     size: int
 
 
-class Geometry(NamedTuple):
+class Shape(NamedTuple):
     """What one call draws: vertices and normals (n, 3) in the order in which they are drawn."""
 
     vertices: Array
@@ -42,7 +42,7 @@ class Geometry(NamedTuple):
     parts: tuple[Part, ...]
 
 
-def geometry(vertices: Array, normals: Array, *pieces: tuple[int, Indices], texture: Array | None = None) -> Geometry:
+def geometry(vertices: Array, normals: Array, *pieces: tuple[int, Indices], texture: Array | None = None) -> Shape:
     """pieces: a mode and indices (primitives, vertices of each)."""
     order = np.concatenate([indices.ravel() for _, indices in pieces])
     drawn = [None if array is None else array[order] for array in (vertices, normals, texture)]
@@ -50,7 +50,7 @@ def geometry(vertices: Array, normals: Array, *pieces: tuple[int, Indices], text
         if array is not None:
             array.flags.writeable = False  # it is kept
     parts = tuple(Part(mode, *indices.shape) for mode, indices in pieces)
-    return Geometry(drawn[0], drawn[1], drawn[2], parts)  # type: ignore[arg-type]
+    return Shape(drawn[0], drawn[1], drawn[2], parts)  # type: ignore[arg-type]
 
 
 @kept(MEMORY)
@@ -61,7 +61,7 @@ def _triangles(first: int, strips: int, size: int) -> NDArray[np.uint32]:
     return (first + size * np.arange(strips, dtype=np.uint32)[:, None] + pattern).astype(np.uint32).ravel()
 
 
-def draw_geometry(shape: Geometry) -> None:
+def draw_geometry(shape: Shape) -> None:
     """As freeglut: the vertex arrays are enabled before and disabled after, the current normal stays."""
     buffer = gl.glGetIntegerv(gl.GL_ARRAY_BUFFER_BINDING)
     if buffer:
@@ -160,7 +160,7 @@ def _rings(first: int, rings: int, slices: int) -> Indices:
 
 
 @kept(MEMORY)
-def _sphere(radius: float, slices: int, stacks: int, wire: bool) -> Geometry:
+def _sphere(radius: float, slices: int, stacks: int, wire: bool) -> Shape:
     sine, cosine = (table[:-1] for table in _circle(-slices))
     ring, axis = (table[1:-1, None] for table in _circle(stacks, half=True))
     pole = np.array([[0.0, 0.0, 1.0]], np.float32)
@@ -189,7 +189,7 @@ def _sphere_arguments(name: str, radius: float, slices: int, stacks: int) -> tup
 
 
 @kept(MEMORY)
-def _cone(base: float, height: float, slices: int, stacks: int, wire: bool) -> Geometry:
+def _cone(base: float, height: float, slices: int, stacks: int, wire: bool) -> Shape:
     sine, cosine = (table[:-1] for table in _circle(-slices))
     r, h = np.float32(base), np.float32(height)
     z = _steps(np.float32(0), h / np.float32(stacks), stacks)[:, None]
@@ -210,7 +210,7 @@ def _cone(base: float, height: float, slices: int, stacks: int, wire: bool) -> G
     return geometry(vertices, normals, (gl.GL_TRIANGLE_STRIP, _strips(upper, lower)))
 
 
-def _wire_tube(vertices: Array, normals: Array, rings: Indices, drawn: Indices) -> Geometry:
+def _wire_tube(vertices: Array, normals: Array, rings: Indices, drawn: Indices) -> Shape:
     """Straight lines from the first to the last ring, then the rings that are drawn."""
     lines = np.stack([rings[0], rings[-1]], axis=1).reshape(1, -1)
     return geometry(vertices, normals, (gl.GL_LINES, lines), (gl.GL_LINE_LOOP, drawn))
@@ -227,7 +227,7 @@ def glutWireCone(base: float, height: float, slices: int, stacks: int) -> None:
 
 
 @kept(MEMORY)
-def _cylinder(radius: float, height: float, slices: int, stacks: int, wire: bool) -> Geometry:
+def _cylinder(radius: float, height: float, slices: int, stacks: int, wire: bool) -> Shape:
     sine, cosine = (table[:-1] for table in _circle(-slices))
     r, h = np.float32(radius), np.float32(height)
     step = h / np.float32(stacks)
@@ -263,7 +263,7 @@ def _tube_arguments(
 
 
 @kept(MEMORY)
-def _torus(inner: float, outer: float, sides: int, rings: int, wire: bool) -> Geometry:
+def _torus(inner: float, outer: float, sides: int, rings: int, wire: bool) -> Shape:
     sine, cosine = (table[:-1] for table in _circle(-sides))
     around_sine, around_cosine = (table[:-1, None] for table in _circle(rings))
     reach = np.float32(outer) + cosine * np.float32(inner)
@@ -368,14 +368,14 @@ SOLIDS = {
 
 
 @kept(MEMORY)
-def _solid(name: str, wire: bool, size: float = 1.0) -> Geometry:
+def _solid(name: str, wire: bool, size: float = 1.0) -> Shape:
     """Each face has corners of its own, with its normal."""
     shape = SOLIDS[name]
     vertices = shape.corners[shape.faces.ravel()] * np.float32(size)
     return _faces(vertices, np.repeat(shape.normals, shape.faces.shape[1], axis=0), shape.faces.shape[1], wire)
 
 
-def _faces(vertices: Array, normals: Array, corners: int, wire: bool) -> Geometry:
+def _faces(vertices: Array, normals: Array, corners: int, wire: bool) -> Shape:
     faces = np.arange(len(vertices)).reshape(-1, corners)
     if wire:
         return geometry(vertices, normals, (gl.GL_LINE_LOOP, faces))
@@ -448,7 +448,7 @@ MOST_LEVELS = 10  # a million tetrahedra
 
 
 @kept(MEMORY)
-def _sponge(levels: int, offset: tuple[float, float, float], scale: float, wire: bool) -> Geometry:
+def _sponge(levels: int, offset: tuple[float, float, float], scale: float, wire: bool) -> Shape:
     """Four sponges of half the size at the corners of a tetrahedron, and so on."""
     size, middles = np.float32(scale), np.array([offset], np.float64)
     for _ in range(levels):

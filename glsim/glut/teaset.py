@@ -15,7 +15,7 @@ import numpy as np
 
 from glsim import gl
 from glsim.glut import shapes
-from glsim.glut.shapes import MEMORY, Array, Geometry, geometry, length, rows
+from glsim.glut.shapes import MEMORY, Array, Shape, geometry, length, rows
 from glsim.machine.kept import kept
 
 
@@ -92,7 +92,7 @@ def _copies(grid: Array, copies: int) -> list[Array]:
 
 
 @kept(MEMORY)
-def _tea(name: str, size: float, wire: bool) -> Geometry:
+def _tea(name: str, size: float, wire: bool) -> Shape:
     """Solid: 7 x 7 quads for each patch, in two triangles each; wire: 10 x 10 line strips."""
     vessel, n = VESSELS[name], 10 if wire else 8
     scale = np.float32(size) / np.float32(vessel.part)
