@@ -294,13 +294,20 @@ def _lengths(draw: Draw, chosen: NDArray[np.uint32]) -> Findings:
     wrong = np.abs(lengths - 1.0) > 0.02
     if wrong.mean() < 0.1:
         return
-    given = float(np.median(np.linalg.norm(draw.block.rows[numbers, 3:6].astype(float), axis=1)))
+    all_given = np.linalg.norm(draw.block.rows[numbers, 3:6].astype(float), axis=1)
+    given = float(np.median(all_given))
     if not lengths[wrong].any():
         matrix = "the modelview matrix flattens the scene, as glScale by 0 does"
         yield "normals-zero", {"cause": matrix if given else "glNormal got (0, 0, 0)"}
         return
     kind = "normals-scaled" if abs(given - 1.0) <= 0.02 else "normals-not-unit"
-    yield kind, {"length": f"{np.median(lengths[wrong]):.3g}", "given": f"{given:.3g}"}
+    yield kind, {"length": _span(lengths[wrong]), "given": _span(all_given[wrong])}
+
+
+def _span(values: NDArray[np.float64]) -> str:
+    """ "2" if the values (n,) agree within 2 %, else "2 to 3"."""
+    low, high = float(values.min()), float(values.max())
+    return f"{high:.3g}" if high - low <= 0.02 * high else f"{low:.3g} to {high:.3g}"
 
 
 def _lost_highlight(draw: Draw, chosen: NDArray[np.uint32]) -> Findings:

@@ -282,3 +282,15 @@ def test_surplus_arguments_are_named_with_the_command_that_takes_them() -> None:
         " takes 4",
         "glRotatef(90, 0, 0, 1, 0): glRotatef takes 4 arguments (angle, x, y, z) and ignores what comes after",
     ]
+
+
+def test_normals_of_several_lengths_are_told_as_a_span(screen: glsim.Offscreen) -> None:
+    with capture(calls=True) as frame:
+        lit()
+        glBegin(GL_TRIANGLES)
+        for z, (x, y) in ((2, (-0.5, -0.5)), (3, (0.5, -0.5)), (2.5, (0, 0.5))):
+            glNormal3f(0, 0, z)
+            glVertex2f(x, y)
+        glEnd()
+    (found,) = glsim.trace(frame).mistakes
+    assert "normals have length 2 to 3 in eye space (glNormal got 2 to 3)" in found.sentence
