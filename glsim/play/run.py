@@ -64,7 +64,7 @@ def run(plan: Plan, timeout: float | None = 60.0) -> dict[str, Any]:
     With ``plan.count`` what the program prints goes to standard error.  Pictures of an earlier run are removed from the
     folder ``plan.out``.
     timeout: seconds after which the program is stopped; None for never.  Raises FileNotFoundError for a script that is
-    not written, OSError if the folder for the pictures cannot be made.
+    not there, OSError if the folder for the pictures cannot be made.
     """
     if not Path(plan.script).is_file():
         what = "is a folder; name a Python program" if Path(plan.script).is_dir() else "there is no such file"
@@ -193,7 +193,7 @@ def check_animation(option: str, target: Path) -> None:
     if target.suffix.lower() != f".{option}":
         raise ValueError(f"--{option} {target}: the name must end in .{option}")
     if not target.parent.is_dir():
-        raise ValueError(f"--{option} {target}: written is no folder {target.parent}; make it first")
+        raise ValueError(f"--{option} {target}: there is no folder {target.parent}; make it first")
     if option == "mp4":
         _ffmpeg(target)
 
@@ -210,12 +210,12 @@ def _ffmpeg(target: Path) -> Any:
 def animate(pictures: Sequence[Path], target: Path, milliseconds: float = 20.0) -> None:
     """The pictures of the first window as an animated GIF, or with imageio-ffmpeg as MP4.
 
-    Raises ValueError if written are none, or if they are too small for MP4.
+    Raises ValueError if there are none, or if they are too small for MP4.
     """
     from PIL import Image
 
     if not pictures:
-        raise ValueError(f"{target}: written is no picture to animate")
+        raise ValueError(f"{target}: there is no picture to animate")
     images = [Image.open(path).convert("RGB") for path in pictures]
     if target.suffix.lower() == ".gif":
         # viewers show no more than 50 pictures a second
