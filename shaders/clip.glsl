@@ -1,4 +1,4 @@
-// glClipPlane: what has a negative distance from an enabled plane is cut off; of wide lines line.glsl cuts it
+// glClipPlane: parts with a negative distance from an enabled plane are clipped; wide lines are clipped in line.glsl
 
 #if CLIPPING
 out float gl_ClipDistance[6];

@@ -1,4 +1,4 @@
-// glFog: how much of the fragment's colour is left at distance z from the eye, in [0, 1] (OpenGL 1.5 section 3.10)
+// glFog: the blend factor f in [0, 1] at distance z from the eye: f C + (1 - f) C_fog (OpenGL 1.5 section 3.10)
 
 float fog_factor(float z)
 {

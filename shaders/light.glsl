@@ -15,7 +15,7 @@ float attenuation(Light light, float d)
     return 1.0 / (light.constant_attenuation + light.linear_attenuation * d + light.quadratic_attenuation * d * d);
 }
 
-// 1 inside the cone, fading from its axis; 0 outside
+// The spotlight factor: inside the cone cos^exponent of the angle between the axis and -L, outside the cone 0
 float spotlight(Light light, vec3 L)
 {
     float cosine = dot(-L, light.spot_direction);
@@ -41,7 +41,7 @@ void illuminate(Face face, vec3 N, vec3 P, out vec3 color, out vec3 highlight)
         }
         if (LIGHT_IS_SPOT[i]) strength *= spotlight(light, L);
 
-        float side = FLIP_NORMAL && dot(N, L) < 0.0 ? -1.0 : 1.0;   // a normal that looks away may be flipped
+        float side = FLIP_NORMAL && dot(N, L) < 0.0 ? -1.0 : 1.0;   // FLIP_NORMAL: where N.L < 0, N becomes -N
         float N_L = side * dot(N, L);
         color += strength * face.k_a.rgb * light.I_a.rgb;           // I_a,light
         if (N_L > 0.0) {                                            // else the light is behind the surface
@@ -51,7 +51,7 @@ void illuminate(Face face, vec3 N, vec3 P, out vec3 color, out vec3 highlight)
     }
 }
 
-// The colour of one side of the surface, clamped to [0, 1]: what is more than 1 a screen cannot show
+// The colour and the highlight of one side of the surface, clamped to [0, 1]: a screen cannot show more than 1
 void shade(Face face, vec3 N, vec3 P, out vec4 color, out vec3 highlight)
 {
     illuminate(face, N, P, color.rgb, highlight);

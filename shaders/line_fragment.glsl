@@ -11,7 +11,7 @@ bool line_pattern(float pixels)
     return ((line_stipple_pattern >> bit) & 1u) == 1u;
 }
 
-// Pixels from the line's first end: in x or y, whichever the line has more of; along a smooth line itself
+// Distance in pixels from the line's first end: along x or y, the line's major axis; for a smooth line along the line
 float along_line(vec4 ends, vec2 pixel)
 {
     vec2 direction = ends.zw - ends.xy, from = pixel - ends.xy;
@@ -30,7 +30,7 @@ float line_length(vec4 ends)
 float fragment_number(vec4 ends, vec2 pixel)
 {
     float at = along_line(ends, pixel);
-    return max(WIDE_LINES ? floor(at) : ceil(at - 0.5), 0.0);   // pieces of the area, or the pixels of a thin line
+    return max(WIDE_LINES ? floor(at) : ceil(at - 0.5), 0.0);   // wide: unit steps along it; thin: pixel centres
 }
 
 // Whether clipping has cut a fragment of a wide line off; 1/256 pixel is as exact as rasterization is
@@ -40,7 +40,7 @@ bool beyond_ends(vec4 ends, vec2 pixel)
     return at < -1.0 / 256.0 || at > line_length(ends) + 1.0 / 256.0;
 }
 
-// Whether the line has no such fragment: it is cut off, or left out by the stipple pattern
+// Whether to discard the fragment at this pixel: clipping has cut it off, or the stipple pattern leaves it out
 bool line_leaves_out(vec2 pixel)
 {
     if (WIDE_LINES && beyond_ends(line_ends, pixel)) return true;

@@ -1,5 +1,5 @@
-// A fragment's colour.  Phong shading evaluates the illumination equation here, at every pixel, with the normal that
-// was interpolated between the vertices and made unit length again.
+// A fragment's colour.  Phong shading evaluates the illumination equation here, for every fragment, with the normal
+// that is interpolated between the vertices and normalized again.
 
 #include "state.glsl"
 #include "material.glsl"

@@ -2,7 +2,7 @@
 // section 2.11).  So the driver is given a viewport that is larger than the program's by a margin on all sides, and
 // what is drawn shrinks as much: it covers the same pixels as in the program's viewport.
 
-const vec4 OUTSIDE = vec4(2.0, 2.0, 2.0, 1.0);  // of the clip volume: nothing is drawn
+const vec4 OUTSIDE = vec4(2.0, 2.0, 2.0, 1.0);  // a position beyond the clip volume: the primitive is not drawn
 
 vec4 with_margin(vec4 C)    // C: in clip space
 {

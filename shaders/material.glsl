@@ -1,4 +1,4 @@
-// glColorMaterial: properties that follow the current colour.  TRACKS: ambient, diffuse, specular, emission.
+// glColorMaterial: properties that track the current colour.  TRACKS: whether ambient, diffuse, specular, emission do.
 
 Face track(Face face, vec4 color, bool[4] TRACKS)
 {

@@ -1,4 +1,4 @@
-// glDrawPixels, glCopyPixels and glBitmap: fragments that take something from a rectangle of pixels.
+// glDrawPixels, glCopyPixels and glBitmap: a fragment takes its colour, depth or bit from a rectangle of pixels.
 
 #if PIXELS != PIXELS_NONE
 uniform sampler2D rectangle;

@@ -5,7 +5,7 @@
 #include "main.frag"
 #undef main
 
-layout(location = 1) out vec4 probe_place;     // weights of the vertices, which are red, green and blue; coverage
+layout(location = 1) out vec4 probe_place;     // rgb: weights of the three vertices; a: coverage of the pixel
 layout(location = 2) out vec4 probe_primitive; // number of the draw, of the primitive; 1 front, -1 back; fog distance
 layout(location = 3) out vec4 probe_texels[4];
 

@@ -1,4 +1,4 @@
-// Numbers for rasterization and for what happens to a fragment afterwards.
+// State that rasterization, clipping, fog and the per-fragment operations read.
 
 layout(std140) uniform Raster {
     vec4 fog_color;                 // glFog

@@ -1,4 +1,4 @@
-// What the program's calls have set, as the GPU sees it.  Every row fills 256 bytes, so that any row can begin a block.
+// State in uniform blocks.  A Transform or a Material fills 256 bytes, so that a block can begin at any of them.
 
 struct Transform {
     mat4 modelview_projection;  // object space -> clip space: glMatrixMode(GL_PROJECTION) times GL_MODELVIEW

@@ -23,9 +23,9 @@ in vec4 texture_coordinates[4];
 vec4 texels[4];         // what each unit reads
 vec4 primary_color;     // the fragment's colour before texturing
 
-// GL_CLAMP keeps the coordinate in [0, 1], so that at the edge half of the border is seen by GL_LINEAR, and nothing
-// of it by GL_NEAREST: s = 1 is the last texel (section 3.8.8), so the largest number below 1 stands for it
-// (the level of a mipmap follows from the coordinate as it was: hence textureGrad)
+// GL_CLAMP clamps s to [0, 1].  GL_LINEAR then mixes half of the border colour into the edge; GL_NEAREST must give the
+// last texel at s = 1 (section 3.8.8), so the upper limit is the largest number below 1.  The mipmap level follows from
+// the coordinate before clamping: hence textureGrad.
 float wrapped(float s, int unit, int axis)
 {
     return CLAMP[3 * unit + axis] ? clamp(s, 0.0, 0.99999994) : s;
@@ -97,7 +97,7 @@ float argument_alpha(int number, int unit, vec4 previous)
     return OPERAND_ALPHA[3 * unit + number] == GL_SRC_ALPHA ? value : 1.0 - value;
 }
 
-// For colours as vectors and for alpha, whose vectors have one number
+// The GL_COMBINE function of three arguments: RGB colours, or alpha as a vector of three equal numbers
 vec3 combined(int how, vec3 a0, vec3 a1, vec3 a2)
 {
     if (how == GL_REPLACE) return a0;

@@ -6,11 +6,11 @@
     methods           a table of the ways to find form factors; formfactors (contour), textbook, hemicube
     visibility        how much of one patch another one sees; rays owns Embree and the threads, bodies save most rays
     hierarchy         links between the levels of a tree instead of a matrix; distributed: blocks elsewhere
-    factors           what all of these know: the protocol
+    factors           the protocol that a matrix, links and blocks of form factors fulfil
     solvers           the linear system (I - R F) B = E
     adapt             more patches where the light changes fast
     gather, tone      radiosity at vertices; colours for the screen
-    solution          glsim.radiosity.solve: all of it
+    solution          glsim.radiosity.solve: all steps, from the scene to the radiosity at vertices
     result, view      what it returns: numbers, files, a report; drawing it; pointlights: OpenGL's lights instead
     compiled          numba; inner loops are in polygon, contour, pairs, samples, links and matrix
 

@@ -19,7 +19,7 @@ ROUNDS = 8  # at most
 
 
 def refined(patches: Patches, count: int, factors_of: Callable[[Patches], Factors]) -> Patches:
-    """Divide patches until there are about ``count``, those first whose interpolated radiosity is most wrong.
+    """Divide patches until there are about ``count``, first those with the largest interpolation error.
 
     factors_of: finds the form factors of patches.  Between two solutions the number of patches at most doubles.
     """

@@ -21,14 +21,14 @@ Int = NDArray[np.int64]
 GAP = (
     1e-5  # of the scene's size: rays begin and end so far in front of patches; what is nearer to a wall does not block
 )
-EXACT = 1e-6  # of the scene's size: how far a corner of a proven body may be from where it should be
-MOST_BODIES, MOST_PLANES = 48, 24  # more are not worth asking
+EXACT = 1e-6  # of the scene's size: the tolerance for corners that coincide and lie behind planes, see surface_of
+MOST_BODIES, MOST_PLANES = 48, 24  # in a scene, else it has no regions; of a region, else it is only a box
 MOST_POLYGONS = 4000
-TOUCH = 1e-6  # of the line between two ends: a shorter part inside a region only touches it
+TOUCH = 1e-6  # of a line's length: a line with a shorter part inside a region counts as outside
 THIN = 1e-4  # of the scene's size: a thinner region is made a little thicker, and hides nothing by itself
 AT_ONCE = 1 << 12  # patches
 
-HIDDEN, SEEN, ASK = 0, 1, 2  # what the regions alone tell of a pair
+HIDDEN, SEEN, ASK = 0, 1, 2  # a pair of patches: all lines are blocked, no line is blocked, rays must decide
 
 
 @jit
@@ -39,9 +39,10 @@ def judge(one: Any, two: Any, rows: Any, columns: Any, starts: Any, solid: Any, 
     one, two: (n, m, 2), Bodies.reach of the ends with the numbers ``rows`` and ``columns`` (p,).  starts: (k + 1,),
     region b has the planes starts[b] up to starts[b + 1].  solid: (k,).
 
-    The points at a share t of all lines have, from a plane, distances between (1 - t) a + t b with the least distances
-    a, b of the two ends, and the same with the largest ones.  A region hides only ends that are both outside of it:
-    each reaches in front of one of its planes, and not behind it by more than ``exact``.
+    A line runs from the first end (t = 0) to the second (t = 1).  At t its distance from a plane is at least
+    (1 - t) a + t b, where a and b are the least distances of the two ends from the plane, and at most the same with the
+    largest distances.  A region hides a pair only if both ends are outside of it: each end reaches in front of one of
+    the region's planes by more than ``exact``, and behind that plane by less than ``exact``.
     """
     for row in range(len(rows)):
         i, j = rows[row], columns[row]
@@ -74,10 +75,11 @@ def _behind(a: float, b: float, enter: float, leave: float) -> tuple[float, floa
 
 @dataclass(frozen=True)
 class Bodies:
-    """Convex regions outside of which nothing can stand in between.
+    """Convex regions of a scene; outside of them nothing blocks a line between two patches.
 
-    planes: (m, 4), a region is where n.p <= d for all of its (n, d); starts: (k + 1,), where each region's begin;
-    solid: (k,), whether nothing goes through without meeting a polygon; exact: EXACT in the scene's unit.
+    planes: (m, 4), rows (n, d); a region is where n.p <= d for all of its planes; starts: (k + 1,), region b has the
+    planes starts[b] up to starts[b + 1]; solid: (k,), whether every line through the region meets a polygon; exact:
+    EXACT in the scene's unit.
     """
 
     planes: Float
@@ -98,9 +100,9 @@ class Bodies:
 def bodies_of(scene: Scene) -> Bodies | None:
     """Return the regions of a scene; None if they are too many to be of use.
 
-    Polygons that have the whole scene on their front side are its shell, which blocks nothing.  The others hang
-    together by common corners; around each such group there is the box along its largest polygon, and if the group is
-    convex, the planes of its polygons.
+    Polygons that have the whole scene on their front side are its shell, which blocks nothing.  The other polygons are
+    grouped by common corners.  The region of a group is bounded by a box aligned with the group's largest polygon and,
+    if the group is a convex surface, by the planes of its polygons too.
     """
     if len(scene.polygons) > MOST_POLYGONS:
         return None

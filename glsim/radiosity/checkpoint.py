@@ -1,4 +1,4 @@
-"""Work that was interrupted, in a file, so that the next run goes on with it."""
+"""A file with the results of interrupted work, from which the next run continues."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def mark_of(patches: Patches, how: str) -> str:
 
 
 class Checkpoint:
-    """Arrays in a file, marked by the patches they are of and how they were made; without a path it keeps nothing."""
+    """A file of arrays, with a hash of the patches and the method they belong to; without a path nothing is saved."""
 
     def __init__(self, path: str | None, patches: Patches, how: str) -> None:
         self.path = path

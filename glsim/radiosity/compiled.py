@@ -13,7 +13,7 @@ except ModuleNotFoundError as error:
     raise SceneError("radiosity needs the package numba: pip install glsim[radiosity]") from error
 
 Function = TypeVar("Function", bound=Callable[..., Any])
-prange = nb.prange  # for others, so that the sentence above comes first
+prange = nb.prange  # import it from here, so that a missing numba raises the SceneError above
 
 
 def _compiled(function: Function, **options: Any) -> Function:
@@ -28,8 +28,8 @@ def _compiled(function: Function, **options: Any) -> Function:
 def jit(function: Function) -> Function:
     """Compile a function at its first call.
 
-    The machine code is kept on disk for the next run if one of these folders can be written: NUMBA_CACHE_DIR, glsim's
-    own, one in the user's home.
+    numba stores the machine code on disk for the next run, in the first of these folders that it can write to:
+    NUMBA_CACHE_DIR, __pycache__ beside the source, one in the user's home.
     """
     return _compiled(function)
 

@@ -1,4 +1,4 @@
-"""Cutting patches along the lines where polygons touch: there the light changes at once."""
+"""Cutting patches along the lines where polygons touch: the radiosity is discontinuous there."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ Float = NDArray[np.float64]
 Segments = list[tuple[Float, Float]]
 TOUCHING = 1e-6  # of the scene's size: this near, polygons touch
 SLIVER = 1e-3  # of a whole cell's area: smaller pieces are left out
-MANY = 4000  # polygons: of so fine a mesh they are no larger than patches, and nothing is cut
+MANY = 4000  # polygons: a mesh with more has polygons as small as patches, and no patch is cut
 
 
 def contacts(scene: Scene) -> dict[int, Segments]:
-    """Return for each polygon, by its number, the edges of others that lie in it.
+    """Return for each polygon, by its number, the edges of other polygons that lie in its plane and near it.
 
-    Those are edges of bodies that stand on it, and of coplanar polygons, such as a lamp in a ceiling.  Polygons without
-    such edges are missing.
+    They belong to bodies that stand on it, or to coplanar polygons such as a lamp in a ceiling.  Near means that the
+    edge's bounding box overlaps the polygon's.  Polygons without such edges are not in the dictionary.
     """
     if len(scene.polygons) > MANY:
         return {}
@@ -38,9 +38,9 @@ def contacts(scene: Scene) -> dict[int, Segments]:
 
 
 def near_segments(cells: Float, segments: Segments, normal: Float, tolerance: float) -> NDArray[np.bool_]:
-    """Return which cells (k, 4, 3) may be cut by a segment: (k,).
+    """Return a mask (k,) of the cells (k, 4, 3) that a segment may cut.
 
-    They lie on both sides of its line, and not beyond its ends.
+    Such a cell has corners on both sides of the segment's line and does not lie wholly beyond one of its ends.
     """
     result = np.zeros(len(cells), bool)
     for a, b in segments:

@@ -22,9 +22,10 @@ GAUSS_12 = np.stack([(_x + 1.0) / 2.0, _w / 2.0])
 
 
 def _tanh_sinh(step: float, count: int) -> Float:
-    """Return nodes in (0, 1) and weights, (2, 2 count + 1), of a quadrature for logarithms at both ends.
+    """Return nodes in (0, 1) and weights, (2, 2 count + 1), for integrands with a logarithm's singularity at both ends.
 
-    Tanh-sinh quadrature (Takahasi and Mori 1974): nodes crowd at the ends so fast that singularities there do not hurt.
+    Tanh-sinh quadrature (Takahasi and Mori 1974): the nodes cluster at both ends so fast that it converges even if the
+    integrand is singular there.
     """
     t = step * np.arange(-count, count + 1)
     u = np.pi / 2.0 * np.sinh(t)
@@ -80,7 +81,7 @@ def _edges(a: Any, b: Any, c: Any, d: Any, exact: bool) -> float:
     for k in range(3):
         one[k] /= length_1
         two[k] /= length_2
-    # where the other edge's ends are nearest: there the integrand is not smooth
+    # cut the outer integral where the other edge's ends are nearest: there the integrand is not smooth
     cuts = np.empty(4)
     cuts[0] = 0.0
     pieces = 1
@@ -101,7 +102,7 @@ def _edges(a: Any, b: Any, c: Any, d: Any, exact: bool) -> float:
     if pieces == 3 and cuts[1] > cuts[2]:
         cuts[1], cuts[2] = cuts[2], cuts[1]
     cuts[pieces] = length_1
-    # the edges themselves may come close between their ends
+    # measure the distance of the edges at five points too: they may be closest between their ends
     for t in (0.0, 0.25, 0.5, 0.75, 1.0):
         s = 0.0
         gap = 0.0

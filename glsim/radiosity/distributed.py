@@ -1,7 +1,7 @@
-"""Form factors on many machines: blocks of rows are made, stay and are used on the workers of a Dask cluster.
+"""Form factors on many machines: Dask workers compute blocks of rows of S, store them, and multiply by them.
 
-A block holds S of some patches with all of higher number, so that the cluster holds n^2 / 2 numbers, and this machine
-none of them.  What a worker that dies had made, Dask makes again on the others.
+A block holds the rows ``first`` up to ``last`` of S from column ``first`` on.  S is symmetric, so the cluster stores
+about n^2 / 2 numbers, and this machine none.  If a worker dies, Dask computes its blocks again on the other workers.
 """
 
 from __future__ import annotations
@@ -72,24 +72,24 @@ class Blocks:
     """
 
     method = "contour"
-    asymmetry = 0.0  # each pair is there once
-    matrix = None  # not on this machine
+    asymmetry = 0.0  # each pair is stored once, so S_ij = S_ji
+    matrix = None  # S is on the workers
 
     def __init__(
         self, client: Any, patches: Patches, progress: Progress, name: str | None = None, rays: Rays | None = None
     ) -> None:
-        """Begin the form factors of patches on the workers of a client, and wait for them.
+        """Compute the form factors of patches on the workers of a client, and wait until all blocks are finished.
 
-        name: under which the blocks stay on the cluster, and go on being made, if this program is interrupted; one that
-        asks for the same patches under any name finds them.  rays: on this machine, of the patches' scene.  Raises
-        SceneError if the blocks would not fit into the workers' memory.
+        name: if this program is interrupted, the cluster keeps the blocks under this name and goes on computing them; a
+        later program with the same patches gets them, whatever name it gives.  rays: on this machine, of the patches'
+        scene.  Raises SceneError if the blocks would take more than half of the workers' memory.
         """
         self.client, self.patches, self.rays = client, patches, rays
         start = time.perf_counter()
         self._check_memory()
         self.starts = _starts(len(patches))
         mark = mark_of(patches, self.method)
-        self.scattered = client.submit(_itself, patches)  # a task, not data: so it can be made again
+        self.scattered = client.submit(_itself, patches)  # a task, not data: see _itself
         self.blocks = [
             client.submit(_block, self.scattered, low, high, key=f"glsim-{mark}-{low}") for low, high in self._bounds()
         ]
@@ -189,7 +189,7 @@ def _starts(n: int) -> list[int]:
 
 
 def _failure(error: BaseException) -> BaseException:
-    """Return what to raise for an error on a worker: a sentence where it is known."""
+    """Return the exception to raise for an error on a worker: a SceneError for a known cause, else the error itself."""
     if isinstance(error, _dask().KilledWorker):
         return SceneError("workers die again and again over the same block: have they memory enough?")
     if isinstance(error, ModuleNotFoundError):
@@ -204,7 +204,7 @@ _last: dict[str, Any] = {}
 
 
 def _itself(what: Any) -> Any:
-    """Return what comes in: a task, which Dask can repeat when a worker dies, unlike data."""
+    """Return the argument: as the result of a task, which Dask repeats if a worker dies; data would be lost."""
     return what
 
 
@@ -228,7 +228,10 @@ def _product(block: Rows, B: Float, first: int) -> Float:
 
 
 def _row(block: Rows, at: int, own: bool) -> Rows:
-    """Return the part of row ``at`` of S that a block has: of one of its ``own`` rows, or one of its columns."""
+    """Return what a block holds of row i of S; at: i minus the block's first row; own: whether i is one of its rows.
+
+    Of a row that is not its own the block holds a part as column ``at``, because S is symmetric.
+    """
     return np.concatenate([block[:at, at], block[at, at:]]) if own else block[:, at]
 
 

@@ -1,4 +1,4 @@
-"""What a linear system and a final gather need to know of form factors, however these are kept."""
+"""The protocol of form factors: what the linear system and the final gather read, for a matrix, links and blocks."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Factors(Protocol):
 
     @property
     def visibility(self) -> Visibility:
-        """Who sees whom, for the final gather."""
+        """The visibility between points and patches, for the final gather."""
         ...
 
     @property

@@ -21,8 +21,8 @@ from glsim.radiosity.visibility import Visibility
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 BLOCK = 1 << 21  # pairs at a time
-NEGLIGIBLE = 0.02  # of what a patch sends to a point in the mean: less is left out
-DIM = 3e-4  # of what all send to a point in the mean: for less, few rays are enough
+NEGLIGIBLE = 0.02  # of the mean light from one patch at a point: form factors that bring less are left out
+DIM = 3e-4  # of the mean light from all patches at a point: form factors that bring less get few rays
 
 
 @dataclass(frozen=True, repr=False)
@@ -81,7 +81,7 @@ class FormFactors:
         )
 
     def keep(self, checkpoint: str) -> None:
-        """Save the matrix in the file ``checkpoint``, in which the next ``compute`` looks."""
+        """Save S in the file ``checkpoint``, which the next ``compute`` reads; only for "contour" and "analytic"."""
         if self.method in ("contour", "analytic"):
             Checkpoint(checkpoint, self.patches, f"{self.method} False").save(rows=np.triu(self.S))
 
@@ -127,10 +127,10 @@ def by_pairs(
     progress: Progress,
     checkpoint: str | None,
 ) -> tuple[NDArray[np.float32], dict[str, float]]:
-    """Find S (n, n) in blocks of rows, and the seconds of each stage.
+    """Return S (n, n), computed in blocks of rows, and the seconds of each stage.
 
-    For each pair first what would arrive if nothing were in between, then the share that is not blocked; without
-    ``visibility`` all of it.  The other arguments as for methods.compute.
+    S of a pair is its value without occlusion times the share that is not blocked; if ``visibility`` is None, nothing
+    is blocked.  The other arguments: see methods.compute.
     """
     n = len(patches)
     S = np.zeros((n, n), np.float32)
@@ -150,7 +150,7 @@ def by_pairs(
         stored.save(rows=S[:first])
         raise
     stored.remove()
-    for k in range(0, n, 1024):  # the lower half is the upper one
+    for k in range(0, n, 1024):  # S is symmetric: add the upper triangle to the lower one
         S[k:, k : k + 1024] += np.triu(S[k : k + 1024, k:], 1).T if k else np.triu(S[:1024], 1).T
     return S, seconds
 
@@ -166,7 +166,7 @@ def upper_rows(
 ) -> None:  # fmt: skip
     """Write S of patches ``first`` up to ``last`` with all of higher number into out (last - first, n).
 
-    visibility: None if nothing blocks.  seconds: by stage, gets what this took added.
+    visibility: None if nothing blocks.  seconds: of each stage; the time of this call is added to them.
     """
     p, start = patches, time.perf_counter()
     pairs.rows(p.corners, p.counts, p.normal, p.center, p.size, first, last, exact, out)

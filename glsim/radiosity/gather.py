@@ -22,13 +22,13 @@ from glsim.radiosity.progress import Progress, silent
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 AT_ONCE = 1024  # points
-NEAR = 0.02  # form factors from which on it matters that a patch is not evenly bright
+NEAR = 0.02  # from this form factor on the radiosity of a patch is bilinear, below it constant
 
 
 def radiosity_at(
     factors: Factors, points: Float, normals: Float, patch: Int, B: Float, progress: Progress | None = None
 ) -> Float:
-    """Return the radiosity (k, 3) at points: E + rho times the irradiance that all patches send there.
+    """Return the radiosity (k, 3) at points: E + rho times the irradiance from all patches.
 
     points: (k, 3), with unit normals (k, 3), on the patches numbered ``patch`` (k,); B: (n, 3) of the patches.
     """
@@ -46,12 +46,13 @@ def radiosity_at(
 def gathered(factors: Factors, mesh: PatchMesh, B: Float, progress: Progress | None = None) -> Float:
     """Return the radiosity at the mesh's vertices (V, 3), from the radiosity B (n, 3) of the patches.
 
-    The first gather takes every patch as evenly bright.  It gives the patches' corners a radiosity, with which near
-    patches are gathered again, bilinearly bright.  Vertices inside a body take the mean of the patches around them.
+    The first gather takes the radiosity of each patch as constant.  Its result at the patches' corners makes the
+    radiosity of near patches bilinear, which corrects the light from them, twice.  A vertex inside a body takes the
+    mean of the patches around it.
     """
     even = radiosity_at(factors, mesh.at, mesh.normals, mesh.patch, B, progress)
     shown = even
-    for _ in range(2):  # the second time from better corners
+    for _ in range(2):  # the second time with the corners that the first one corrected
         added = unevenness(factors, mesh.at, mesh.normals, shown[mesh.corners])
         shown = np.maximum(even + factors.patches.rho[mesh.patch] * added, 0.0)
     hidden = covered(
@@ -61,7 +62,7 @@ def gathered(factors: Factors, mesh: PatchMesh, B: Float, progress: Progress | N
 
 
 def unevenness(factors: Factors, points: Float, normals: Float, bright: Float) -> Float:
-    """Return what the irradiance at points changes if patches near them are not evenly bright: (k, 3).
+    """Return how much the irradiance at points changes if the radiosity of near patches is bilinear: (k, 3).
 
     points: (k, 3), with unit normals (k, 3); bright: (n, 4, 3), the radiosity at the patches' corners, between which it
     is bilinear.
@@ -91,7 +92,7 @@ def _uneven(
 
     rows, columns: (k,).  Each patch is cut into 4 x 4 parts.  The change is the light from all parts, each with the
     radiosity at its middle (bilinear between ``bright`` (n, 4, 3) at the corners), minus the light from the whole patch
-    with the mean radiosity.  Form factors below ``least`` give 0.  Nothing is in between.
+    with the mean radiosity.  Form factors below ``least`` give 0.  Occlusion is ignored.
     """
     parts = 4  # along each edge
     for row in prange(len(rows)):

@@ -1,8 +1,8 @@
 """Form factors by drawing: the scene as each patch sees it, on the five faces of half a cube over its middle.
 
-Every patch is drawn in a colour of its own, with the gl commands; each pixel that shows it adds the form factor of that
-pixel.  The depth buffer finds what is hidden.  Source: Cohen and Greenberg, The hemi-cube: a radiosity solution for
-complex environments (1985); Cohen & Wallace (1993), section 4.8.
+The gl commands draw every patch in a colour that is its number.  F_ij is the sum of the delta form factors of the
+pixels that show patch j in the hemicube of patch i; the depth buffer removes what is hidden.  Source: Cohen and
+Greenberg, The hemi-cube: a radiosity solution for complex environments (1985); Cohen & Wallace (1993), section 4.8.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def hemicube(patches: Patches, progress: Progress, resolution: int = RESOLUTION)
                 S[i] = patches.area[i] * np.bincount(ids, weights, n + 1)[1:]
             progress("form factors", batch.stop, n)
         screen.release()
-    for k in range(0, n, 1024):  # in place: n x n once is enough
+    for k in range(0, n, 1024):  # block by block, so that no second n x n array is needed
         mean = (S[k : k + 1024, k:] + S[k:, k : k + 1024].T) / 2.0
         S[k : k + 1024, k:], S[k:, k : k + 1024] = mean, mean.T
     return S
@@ -51,8 +51,8 @@ def hemicube(patches: Patches, progress: Progress, resolution: int = RESOLUTION)
 def delta_form_factors(resolution: int) -> Float:
     """Return the form factor of each pixel, (resolution, 3 resolution).
 
-    On the left is the top face, dA / (pi (x^2 + y^2 + 1)^2), then follow four sides in two rows of two,
-    z dA / (pi (y^2 + z^2 + 1)^2).  Their sum is close to 1.
+    The first ``resolution`` columns are the top face, dA / (pi (x^2 + y^2 + 1)^2).  The others are the upper halves of
+    the four side faces, in two rows of two, z dA / (pi (y^2 + z^2 + 1)^2).  The sum of all is close to 1.
     """
     at = (2.0 * np.arange(resolution) + 1.0) / resolution - 1.0
     area = (2.0 / resolution) ** 2
@@ -82,7 +82,7 @@ def _compiled(patches: Patches) -> int:
 
 
 def _clear() -> None:
-    """Clear the picture, and set the state in which colours stay numbers."""
+    """Clear the picture, and set the state that leaves the patches' colours exact: no dithering, flat shading."""
     gl.glDisable(gl.GL_DITHER)
     gl.glEnable(gl.GL_DEPTH_TEST)
     gl.glEnable(gl.GL_CULL_FACE)
@@ -113,6 +113,6 @@ def _draw(patches: Patches, i: int, resolution: int, bottom: int, scene: int) ->
 
 
 def _numbers(pixels: NDArray[np.uint8]) -> NDArray[np.int64]:
-    """Return the numbers of patches from the colours of pixels; 0 where none is."""
+    """Return the numbers of patches from the colours of pixels; 0 where no front is seen."""
     r, g, b = (pixels[..., k].astype(np.int64) for k in range(3))
     return np.asarray(r + 256 * g + 65536 * b)

@@ -55,7 +55,8 @@ def exposed(patches: Patches, rays: Rays) -> Patches:
 def covered(rays: Rays, points: Float, normals: Float, least: int = 3) -> NDArray[np.bool_]:
     """Return whether points (n, 3) on surfaces with unit normals (n, 3) are inside of a body: (n,).
 
-    That is so where at least ``least`` of nine rays meet the backs of polygons, and nearly none a front or nothing.
+    A point counts as inside if at least ``least`` of its nine rays meet the backs of polygons, and none meets a
+    front or nothing; if eight rays meet backs, the ninth does not matter.
     """
     fronts, backs, unclear = count_faces(rays, points, normals)
     missed = RAYS - fronts - backs - unclear
@@ -91,7 +92,7 @@ def _at_the_end(patches: Patches, chosen: Int) -> NDArray[np.bool_]:
 
 
 def _fan(normals: Float) -> Float:
-    """Return nine directions to the side of each unit normal (n, 3), four of them far from it: (n, 9, 3)."""
+    """Return nine directions (n, 9, 3): each unit normal (n, 3), four at 39 and four at 80 degrees from it."""
     other = np.where(np.abs(normals[:, :1]) < 0.7, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
     t = np.cross(normals, other)
     t /= np.linalg.norm(t, axis=1, keepdims=True)

@@ -1,7 +1,7 @@
 """Hierarchical radiosity: far parts of the scene exchange light as wholes, near ones in detail.
 
 Each patch is the root of a quadtree whose leaves are the elements.  A link joins two nodes that see each other, on
-whatever levels the light between them is even enough; n elements need about n links, not n^2 form factors.  Sources:
+the coarsest levels on which it is accurate enough; n elements need about n links, not n^2 form factors.  Sources:
 Hanrahan, Salzman and Aupperle, A rapid hierarchical radiosity algorithm (1991); Cohen & Wallace (1993), chapter 7.
 """
 
@@ -30,11 +30,11 @@ from glsim.radiosity.visibility import FIRST, Visibility
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 BLOCK = 1 << 19  # pairs at a time
-ACCURACY = 5e-5  # how uneven, in mean radiosities, the light of one link may be
+ACCURACY = 5e-5  # the error allowed in the radiosity that one link brings, in mean radiosities
 SIZE = 36  # bytes of a link
 NONE = np.zeros((0, 2), np.int64)  # pairs
-SENDERS = 4000  # about as many nodes send light to a point
-VARIES = 0.1  # by so much, it is assumed, the radiosity of a node's parts differs
+SENDERS = 4000  # the assumed number of nodes that send light to a point
+VARIES = 0.1  # the assumed relative difference between the radiosities of a node's parts
 
 
 @dataclass(frozen=True, repr=False)
@@ -78,7 +78,7 @@ class Links:
         return np.asarray(self.times(np.ones((len(self.patches), 3)))[:, 0] / self.patches.area)
 
     def keep(self, checkpoint: str) -> None:
-        """Save them where the next ``linked`` looks."""
+        """Save the links in the file ``checkpoint``, from which the next ``linked`` takes them."""
         _checkpoint(checkpoint, self.tree, self.accuracy).save(ends=self.ends, S=self.S, tilt=self.tilt, open=NONE)
 
     def row(self, i: int) -> Float:
@@ -139,7 +139,7 @@ def linked(tree: Tree, accuracy: float = ACCURACY, rays: Rays | None = None, pro
     """Link the nodes of a tree, and refine each link until it is accurate enough or its ends are elements.
 
     A link is accurate enough if the radiosity that it brings is off by at most ``accuracy`` mean radiosities in any
-    part of its ends.  How bright the nodes are is known from a solution for the roots alone.
+    part of its ends.  The radiosity of a node is estimated by that of its root, from a solution for the roots alone.
 
     checkpoint: see methods.compute.  Raises SceneError if the roots' form factors, or the links, would not fit into
     ``limit`` bytes (by default half of the machine's memory).
@@ -182,7 +182,7 @@ class _Refiner:
     """Turns pairs of nodes into links, block by block.
 
     state: blocks of pairs that are still open, and a list of (ends, S, tilt) of what is linked.  Both are replaced
-    together, so that an interruption never finds half a step.
+    in one assignment, so that an interruption never leaves a step half done.
     """
 
     def __init__(
@@ -208,7 +208,7 @@ class _Refiner:
         return np.concatenate(ends), np.concatenate(S), np.concatenate(tilt)
 
     def step(self) -> None:
-        """Links for the last block of pairs, where the light is even enough; the others become pairs of parts."""
+        """Link the pairs of the last block that are accurate enough; replace each other pair by pairs of parts."""
         nodes, pairs = self.tree.nodes, self.open[-1]
         S, spread, tilt = np.empty(len(pairs)), np.empty((len(pairs), 2)), np.empty((len(pairs), 2, 3), np.float32)
         link_factors(
@@ -227,10 +227,10 @@ class _Refiner:
         self.state = [*self.open[:-1], *parts], [*self.state[1], links]
 
     def _unevenness(self, pairs: Int, S: Float, spread: Float, share: Float, asked: Int) -> Float:
-        """Estimate how wrong the radiosity that a link brings to parts of its ends may be: (k, 2).
+        """Estimate the error of the radiosity that a link of each pair would bring to any part of its two ends: (k, 2).
 
-        Three things make it wrong: the form factor differs between the parts; some parts may not be seen; the sender is
-        not evenly bright.  The largest counts.
+        The error has three causes: the form factor differs between the parts; some parts may be hidden; the radiosity
+        varies over the sender.  The result is the largest of the three.
         """
         nodes = self.tree.nodes
         bright = np.stack([(nodes.rho[pairs[:, k]] * self.B[pairs[:, 1 - k]]).max(axis=1) for k in (0, 1)], axis=1)

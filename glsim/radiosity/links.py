@@ -46,10 +46,10 @@ def link_factors(
     corners: Any, counts: Any, normals: Any, centers: Any, sizes: Any, child: Any, pairs: Any, S: Any, tilt: Any,
     uneven: Any,
 ) -> None:  # fmt: skip
-    """Write the form factors of pairs of nodes (k, 2) with nothing in between, and how these change over each end.
+    """Write the form factors of pairs of nodes (k, 2) without occlusion, and how these change over each end.
 
-    S: (k,), A_p F_pq.  tilt: (k, 2, 3), see ``along_links``.  uneven: (k, 2), how far the form factor at the middles
-    of an end's parts is from the linear one, at most.  For leaves tilt and uneven are 0.
+    S: (k,), A_p F_pq.  tilt: (k, 2, 3), see ``along_links``.  uneven: (k, 2), the largest difference between the linear
+    form factor and the one at the middles of an end and of its parts.  For leaves tilt and uneven are 0.
     """
     for row in prange(len(pairs)):
         p, q = pairs[row, 0], pairs[row, 1]

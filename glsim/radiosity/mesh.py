@@ -11,7 +11,7 @@ from glsim.radiosity.patches import Patches
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
-INWARD = 0.02  # how far a vertex at a border is moved into the largest patch it belongs to, when it gathers
+INWARD = 0.02  # part of the way from a vertex at a border to the centre of its largest patch: light is gathered there
 SAME = 1e-7  # of the scene's size: this near, points are one vertex
 
 
@@ -63,7 +63,7 @@ def outline(patches: Patches) -> Outline:
 def _between(corners: Int, counts: Int, positions: Float, group: Int, unit: float) -> dict[tuple[int, int], list[int]]:
     """Find the vertices on edges, see Outline.between.
 
-    Only an edge that a single patch has can have vertices on it, and only vertices that are ends of such edges.
+    An edge that two patches share has no vertices on it, so only edges of a single patch and their ends are searched.
     corners: (n, 4); counts: (n,); positions: (V, 3); group: (V,), only vertices of the edge's own count; unit: how near
     to the edge they are.
     """
@@ -116,7 +116,7 @@ def mesh_of(patches: Patches) -> PatchMesh:
 
 
 def _with_normals(patches: Patches, positions: Float, triangles: Int, of: Int, corners: Int) -> PatchMesh:
-    """Return the mesh of triangles (T, 3) of the patches ``of`` (T,), with normals and points of gathering.
+    """Return the mesh of triangles (T, 3) of the patches ``of`` (T,), with normals and points for the gather.
 
     A vertex's normal is the mean of the patches around it, weighted by area.  Where the angles around a vertex do not
     fill 2 pi it lies at a border, and gathers light a little inside its largest patch.

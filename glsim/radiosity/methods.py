@@ -25,7 +25,7 @@ from glsim.radiosity.visibility import Visibility
 
 @dataclass(frozen=True)
 class Options:
-    """What ``compute`` was asked for, see there."""
+    """The arguments of ``compute`` that its methods may read; ``compute`` says what they mean."""
 
     exact: bool
     samples: int

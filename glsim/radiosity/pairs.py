@@ -4,7 +4,7 @@ S = A_1 F_12 = A_2 F_21 is the double area integral of cos(theta_1) cos(theta_2)
 how it is found:
 
     far      Lambert's formula from one point of the smaller polygon to the other, exact over that other polygon
-    middle   the same from four points
+    middle   the same from 2 x 2 Gauss points of a quad, or from three points of each triangle
     near     Stokes' theorem twice: S = 1/(2 pi) sum over pairs of edges of (d_1 . d_2) integral integral ln r ds dt,
              see contour.py
 

@@ -20,7 +20,7 @@ class Patches:
 
     corners: (n, 4, 3), a triangle repeats its last corner; counts: (n,) 3 or 4; polygon: (n,) number in scene.polygons;
     level: (n,) how often it was divided into four.
-    area, center (n, 3), normal (n, 3), size (n,): diameter; rho, E: (n, 3).
+    area: (n,); center, normal: (n, 3); size: (n,), the diameter of a sphere around the center; rho, E: (n, 3).
     """
 
     scene: Scene

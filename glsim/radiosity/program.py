@@ -2,7 +2,7 @@
 
 OpenGL lights a polygon by its normals, whichever way its corners run, and culls it by its corners, whichever way its
 normals look.  Radiosity needs one front: the side to which the normals look, where the program gives them; else the
-side that GL_FRONT_FACE and GL_CULL_FACE let be seen.  Where these disagree, or say nothing, a note tells it.
+side that GL_FRONT_FACE and GL_CULL_FACE show.  Where the two disagree, or neither decides, the scene gets a note.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from glsim.radiosity.scene import BRIGHTEST, Builder, Material, Scene, SceneErro
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
-ACROSS = 0.5  # cosine: a normal that is less along a polygon's own says nothing of its front
+ACROSS = 0.5  # of |mean vertex normal . the polygon's own|: up to this the vertex normals do not decide the front
 SAME = 1e-4  # of the scene's size, and of a unit normal: corners this near are one
 
 
@@ -26,7 +26,7 @@ class DrawnPolygon(NamedTuple):
     """One polygon in eye space, its front counterclockwise.
 
     polygon, normals: (k, 3), the normals zeros where they tell nothing; material, back: of the other side, None if
-    only the front reflects; smooth: GL_SMOOTH; doubt: what tells too little of the front, a key of DOUBTS, or "".
+    only the front reflects; smooth: GL_SMOOTH; doubt: why the choice of the front is uncertain, a key of DOUBTS, or "".
     """
 
     polygon: Float
@@ -83,7 +83,7 @@ def _surfaces(draw: Any) -> list[DrawnPolygon]:
     polygon, lighting = draw.state.polygon, draw.state.lighting
     given = rows[:, 3:6]
     normals = _normals(given, modelview)
-    # all the initial one, or without lighting one left from elsewhere: these may confirm, but not decide
+    # all normals are initial, or one constant without lighting: they may confirm the front by winding, not overrule it
     left = (given == (0.0, 0.0, 1.0)).all() or (not lighting.enabled and (given == given[0]).all())
     shown = polygon.front_face != GL_CW  # whether the side from which corners run counterclockwise is the front
     shown ^= bool(np.linalg.det(projection[:2, :2]) < 0.0)  # the projection is a mirror
@@ -93,7 +93,7 @@ def _surfaces(draw: Any) -> list[DrawnPolygon]:
     along = np.einsum("nk,nk->n", normals[polygons].mean(axis=1), own)
     told = (np.abs(along) > ACROSS) & ~(left & ((along > 0.0) != shown))
     votes = along[told] if not left else along[:0]
-    usual = bool(votes.sum() > 0.0) if len(votes) else shown  # what tells nothing follows the others
+    usual = bool(votes.sum() > 0.0) if len(votes) else shown  # for polygons whose normals do not decide
     unsaid = not len(votes) and not polygon.cull and not both
     surfaces = []
     for polygon, normal, sure, outwards in zip(polygons, own, told, along > 0.0, strict=True):
@@ -155,7 +155,10 @@ def _view_in(projection: Float) -> View:
 
 
 def _corners(surfaces: list[DrawnPolygon]) -> tuple[Int, Int]:
-    """Return two numbers for each corner of all polygons, in order: its polygon's, and its place's."""
+    """Return for each corner of all polygons, in order, the number of its polygon and the number of its position.
+
+    Corners with equal positions (see SAME) have the same number.
+    """
     points = np.concatenate([surface.polygon for surface in surfaces])
     unit = SAME * max(float(np.linalg.norm(np.ptp(points, axis=0))), 1e-300)
     owner = np.repeat(np.arange(len(surfaces)), [len(surface.polygon) for surface in surfaces])

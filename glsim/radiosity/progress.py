@@ -8,4 +8,4 @@ Progress = Callable[[str, int, int], object]  # is called with the stage's name,
 
 
 def silent(stage: str, done: int, of: int) -> None:
-    """Do nothing: the Progress of those who want to hear nothing."""
+    """Do nothing: the Progress that is used where the caller gives none."""

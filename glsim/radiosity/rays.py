@@ -1,4 +1,4 @@
-"""Rays through a scene: all that a whole solution sends, with one pool of threads and one Embree tree for each purpose.
+"""Rays through a scene, with one pool of threads and one Embree tree for each shift of the polygons (see nearest).
 
 Hidden-patch removal, form factors and the final gather share one object, Rays.  Embree calculates in single precision,
 so all coordinates are counted from the middle of the scene, wherever the scene is.

@@ -1,4 +1,4 @@
-"""What a solution is good for: numbers, pictures, files."""
+"""The result of ``solve``: numbers, pictures and files of a solution."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from PIL import Image
 
 Float = NDArray[np.float64]
-OPEN = 5e-3  # share of the light that escapes, above which a scene is not just inexact
-BLIND = 1e-3  # row sums of patches that see nothing
+OPEN = 5e-3  # share of the light that escapes: above it the scene is open, below it form factors are inexact
+BLIND = 1e-3  # a patch whose row of form factors has a smaller sum sees nothing
 
 
 @dataclass(frozen=True, repr=False)
@@ -53,7 +53,7 @@ class Radiosity:
     # ------------------------------------------------------------ numbers
 
     def report(self) -> dict[str, Any]:
-        """Return what a teacher asks: how many patches, how good, how long, as values for JSON."""
+        """Return the solution's key figures as values for JSON: numbers of patches, accuracy, seconds, notes."""
         sums = self.factors.row_sums
         error = np.abs(sums - 1.0)
         last = self.steps[-1]
@@ -219,7 +219,7 @@ class Radiosity:
 
 
 def _noticed(patches: Patches, sums: Float, leak: float) -> list[str]:
-    """Return notes on what the sums of rows (n,) and the share of light that escapes tell of the scene."""
+    """Return notes on faults of the scene; sums: (n,), of the rows; leak: the share of light that escapes."""
     lamps = patches.E.max(axis=1) > 0.0
     if sums.max() < BLIND:
         return ["no patch sees another, so nothing is lit: a room whose normals are inverted? --flip turns them"]

@@ -22,7 +22,7 @@ def rays_between(
     """Write the rays number ``first`` to ``first + count`` of each pair of patches (k, 2).
 
     table: (rays, 4) in [0, 1), where each ray begins on the first patch (two numbers) and ends on the second; each pair
-    shifts it by four numbers that are hashed from the pair's own (splitmix64), so that results depend on nothing else.
+    shifts it by four numbers that are hashed from its two patch numbers (splitmix64): results depend on the pair alone.
     gap: how far in front of the patches both ends are, so that a ray does not meet the patches themselves.
     """
     e, shift = np.empty((2, 4, 3)), np.empty(4)
@@ -43,7 +43,7 @@ def rays_between(
         (fx, fy, fz), (gx, gy, gz), (hx, hy, hz), (kx, ky, kz) = e[1]
         (mx, my, mz), (nx, ny, nz) = normals[i], normals[j]
         fx, fy, fz = fx - ax, fy - ay, fz - az
-        for s in range(count):  # written out: this is where the time goes
+        for s in range(count):  # without a loop over x, y, z, for speed
             u, v = table[first + s, 0] + shift[0], table[first + s, 1] + shift[1]
             x, y = table[first + s, 2] + shift[2], table[first + s, 3] + shift[3]
             u, v = u - (u >= 1.0), v - (v >= 1.0)
@@ -144,8 +144,8 @@ def _point(polygon: Any, count: int, u: float, v: float, out: Any) -> None:
 def add_seen(weights: Any, blocked: Any, count: int, group: int, decided: bool, seen: Any, total: Any) -> None:
     """Add the weights of each pair's ``count`` rays to total (k,), and of those that are not blocked to seen (k,).
 
-    Rays are taken in groups of ``group``.  decided: of these only groups count in which some rays are blocked and some
-    are not, see visibility.py.
+    Rays are taken in groups of ``group``.  decided: add only groups in which some rays are blocked
+    and some are not; visibility.py says why.
     """
     for row in range(len(seen)):
         for first in range(row * count, (row + 1) * count, group):

@@ -1,4 +1,4 @@
-"""What light bounces in: polygons with reflectance and exitance, checked before the work begins.
+"""Scenes: polygons with reflectance and exitance, checked before form factors are computed.
 
 Conventions (Cohen & Wallace 1993): everything in one unit of length; rho in [0, 1) and E >= 0 per channel, diffuse; a
 polygon shows its front on the side from which its corners run counterclockwise, and only fronts reflect and emit.

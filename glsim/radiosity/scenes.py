@@ -59,8 +59,8 @@ def furnace() -> Scene:
 
 
 def goral() -> Scene:
-    """The cube of Goral, Torrance, Greenberg and Battaile (1984): red and blue side walls, white else, a bright wall in
-    front of it."""
+    """The cube of Goral, Torrance, Greenberg and Battaile (1984): red and blue side walls, a black front wall that
+    emits 1, all other walls white."""
     b = Builder("goral")
     left, right, floor, ceiling, back, front = box((0, 0, 0), (1, 1, 1), inside=True)
     white = Material("white", (0.8, 0.8, 0.8))
@@ -75,7 +75,7 @@ def goral() -> Scene:
 
 
 def _placed(mesh: Mesh, at: tuple[float, float, float], size: float) -> list[Float]:
-    """The polygons of a drawn shape: its lowest point in the middle of ``at``, ``size`` high."""
+    """Return a mesh's polygons, scaled to the height ``size``; the middle of the bounding box's base is ``at`` (3,)."""
     points = mesh.positions.astype(np.float64)
     low, high = points.min(axis=0), points.max(axis=0)
     points = (points - [(low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2]) * (size / (high[1] - low[1])) + at

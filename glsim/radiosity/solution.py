@@ -49,8 +49,9 @@ def solve(
     begin with fewer patches and divide those where the light changes fast.  vertices: "gather" (a final gather at each
     vertex) or "average" (of patches).  close: scale the form factors so that rows sum to 1, for closed scenes.  flip:
     turn all fronts to the other side.  checkpoint: see methods.compute.  scheduler: the address of a Dask scheduler
-    on whose workers the form factors are factors and used; checkpoint is then the name under which they stay there (see
-    distributed.Blocks).  threads: for rays, by default one for each processor; the result does not depend on it.
+    whose workers compute the form factors and multiply by them; checkpoint is then the name under which the blocks of
+    form factors stay there (see distributed.Blocks).  threads: for rays, by default one for each processor; the result
+    does not depend on it.
     Raises SceneError.
     """
     _check(method, vertices, adaptive, close, scheduler)

@@ -1,7 +1,8 @@
 """The linear system (I - R F) B = E, solved by textbook methods: each is a generator that yields every step.
 
 B_i = E_i + rho_i sum_j F_ij B_j for each channel.  Gathering (Jacobi, Gauss-Seidel) lets each patch collect what the
-others send; shooting lets the patch with most to give send it.  Sources: Cohen & Wallace (1993), chapter 5.
+others send; shooting sends the unshot power of the patch that has most of it to all others.  Sources: Cohen & Wallace
+(1993), chapter 5.
 """
 
 from __future__ import annotations
@@ -180,7 +181,7 @@ SOLVERS: dict[str, Callable[[System], Iterator[SolverStep]]] = {
     "gauss-seidel": gauss_seidel, "jacobi": jacobi, "sor": sor, "cg": conjugate_gradients, "shooting": shooting,
     "lu": lu,
 }  # fmt: skip
-WITHOUT_MATRIX = ("cg", "jacobi")  # solvers that only multiply by it
+WITHOUT_MATRIX = ("cg", "jacobi")  # solvers that read no row of S and need only products S B
 
 
 def solved(

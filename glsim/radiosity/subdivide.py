@@ -18,7 +18,7 @@ def subdivide(scene: Scene, count: int = 2000, length: float | None = None, rays
     """Break a scene into patches with edges of about ``length``, or into about ``count`` patches altogether.
 
     Patches that nobody can see are left out; rays: to find these, by default new ones.  Raises SceneError for a count
-    or length that cannot be.
+    below 1 and for a length that is not positive.
     """
     if length is None:
         if count < 1:

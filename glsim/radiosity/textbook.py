@@ -1,5 +1,5 @@
-"""Form factors as textbooks begin with them, to see how far they are from the truth: from point to point, from point to
-disc, and by Monte Carlo.  (Cohen & Wallace 1993, sections 4.7 and 4.11)"""
+"""The simplest form factors of textbooks, to compare with the accurate ones: from point to point, from point to disc,
+and by Monte Carlo.  (Cohen & Wallace 1993, sections 4.7 and 4.11)"""
 
 from __future__ import annotations
 

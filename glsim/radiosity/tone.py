@@ -18,7 +18,7 @@ GAMMA = 2.2
 def automatic_white(patches: Patches, B: Float) -> float:
     """Choose the radiosity that becomes white, from the radiosity B (n, 3) of the patches.
 
-    It is a tenth more than what 95 % of the area has at most, lamps aside.
+    It is 1.1 times the radiosity that 95 % of the area does not exceed; patches that emit do not count.
     """
     dark = patches.E.max(axis=1) == 0.0
     chosen = dark if dark.any() else np.ones(len(B), bool)

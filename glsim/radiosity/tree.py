@@ -16,7 +16,7 @@ from glsim.radiosity.subdivide import length_for, number_of_cells, subdivide
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
-ROOTS = 1600  # about how many patches there are at most before they are divided
+ROOTS = 1600  # about the largest number of roots of a tree, unless the scene's polygons need more
 DEEPEST = 6  # levels below a root
 
 

@@ -2,8 +2,8 @@
 
 The share of a pair's form factor that is not blocked is sum w V / sum w, over rays with the kernel's weights
 w = cos(theta_1) cos(theta_2) / r^2.  Sixteen rays first; where they disagree, 48 more, in groups of sixteen.  The
-points depend on the pair alone, so results are the same however many threads work.  Of few patches, all large, each
-pair gets twice as many.
+points depend on the pair alone, so results are the same however many threads work.  With fewer than FEW patches, which
+are large, each pair gets twice as many rays.
 
 Why only some of the later groups count.  Through a distant door the true share may be 0.02, and then the first 16 rays
 of most pairs are all blocked: such a pair is taken as hidden.  Were the shares of the other pairs right, the mean over
@@ -33,7 +33,8 @@ POINT_RAYS = 12  # from a vertex to a patch, before MORE
 FEW_RAYS = 2  # from a vertex to a patch that sends little
 CHUNK = 1 << 12  # pairs at a time, in each thread
 
-# Fractional parts of k times these are evenly spread over the four-dimensional cube (Roberts 2018).
+# Row k of TABLE: the fractional parts of k / r, k / r^2, k / r^3, k / r^4 with r = _ROOT, which are evenly spread over
+# the four-dimensional unit cube (Roberts 2018).
 _ROOT = 1.1673039782614187  # x^5 = x + 1
 TABLE = np.outer(np.arange(2 * (FIRST + MORE)), [_ROOT**-k for k in range(1, 5)]) % 1.0
 

@@ -48,8 +48,8 @@ class Object:
 class Batch:
     """Draws that become one call.
 
-    base, objects: the first of their rows in Transforms and Materials, and how many; start, count: the first of their
-    indices in the plan's, and how many.  corners: of each primitive.
+    base, objects: the first row in Transforms and Materials, and the number of rows; start, count: the first index in
+    Plan.indices, and the number of indices.  corners: of each primitive.
     """
 
     state: Snapshot
@@ -101,14 +101,17 @@ def plans(draws: Sequence[Draw], limit: int) -> tuple[list[Object], list[Plan]]:
 
 
 def _grouping(draw: Draw) -> tuple[int, ...]:
-    """Draws of one block belong together; of a static one only those that draw the same of it."""
+    """Return a key: neighbouring Draws with equal keys are planned together.
+
+    They share one block of vertices, and if this is static, also the indices, the mode and the range of vertices.
+    """
     if not draw.block.static:
         return (id(draw.vertices),)
     return (id(draw.vertices), id(draw.indices), draw.mode, draw.first, draw.count)
 
 
 def _instances(draws: list[Draw], limit: int, objects: list[Object]) -> Plan:
-    """The same part of a display list, again and again: one batch draws it once for each of its objects."""
+    """Plan Draws of the same part of a display list: a batch draws its primitives as one instance for each object."""
     first = draws[0]
     indices = _assembled(first, first.first, first.count, keep=True)
     result = Plan(first.block, indices=indices, instances=True)
@@ -237,8 +240,8 @@ def assembled(draw: Draw) -> Uint32:
 
 
 def _assembled(draw: Draw, first: int, count: int, keep: bool = False) -> Uint32:
-    """The same for ``count`` vertices from ``first`` on.  keep: answer with the Draw's own array of indices if it will
-    do, so that the renderer finds the copy that the GPU has already."""
+    """The same for ``count`` vertices from ``first`` on.  keep: return the Draw's own array of indices, if no change is
+    needed, so that the renderer recognizes the array that the GPU already has."""
     lighting = draw.state.lighting
     last = lighting.shade_model == gl.GL_FLAT or (lighting.enabled and lighting.two_side) or draw.indices is not None
     indices = draw.indices

@@ -267,13 +267,13 @@ class Offscreen:
         return pixels
 
     def _reread(self, x: int, y: int, width: int, height: int, what: str) -> NDArray[Any]:
-        """For the renderer, which goes on drawing afterwards."""
+        """Read for the renderer during ``execute``, and bind the framebuffer that it draws into again."""
         pixels = self._read(x, y, width, height, what)
         self._target.use()
         return pixels
 
     def _resolve(self) -> None:
-        """From several samples a pixel to one."""
+        """Resolve multisampling: blit the multisampled framebuffer into the one with a single sample for each pixel."""
         if self.samples:
             raw, corners = self._raw, (0, 0, self.width, self.height)
             raw.glDisable(gl.GL_SCISSOR_TEST)
@@ -333,7 +333,7 @@ class Offscreen:
             self._renderer.resize((self.width, self.height))
 
     def reset(self) -> None:
-        """Everything as if just made: initial state, black picture."""
+        """Return to the state of a new context: initial state, black picture."""
         self.check()
         self.machine.reset()
         with uninterrupted(), self.ctx:

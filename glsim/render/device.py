@@ -101,7 +101,8 @@ def forked() -> bool:
 def refuse_fork() -> None:
     """Raise RuntimeError in a process that was forked after a context had been opened: drawing would hang there.
 
-    A new context would hang too: what the threads work for, Mesa's screens and their locks, is one for the process.
+    A new context would hang too: Mesa's screens and locks exist once for a process, and their threads do not survive a
+    fork.
     """
     if forked():
         raise RuntimeError(FORKED)

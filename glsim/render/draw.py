@@ -56,7 +56,7 @@ class Renderer:
         self.accumulation = Accumulation(size)
         self.query = 0  # the driver's name of the query that is counting
         self.busy = False  # whether the GPU may still read the buffers
-        self.probing = 0  # the number of the draw whose fragments shall tell what they are made of; 0 if none is
+        self.probing = 0  # the number of the draw whose fragments probe.frag inspects; 0: none
 
     def resize(self, size: tuple[int, int]) -> None:
         self.size, self.accumulation = size, Accumulation(size)
@@ -114,7 +114,7 @@ class Renderer:
             self.accumulation.clear(packet)
 
     def _mark(self, packet: QueryMark) -> None:
-        """glBeginQuery and glEndQuery; the number is waited for, as soon as the query ends."""
+        """glBeginQuery and glEndQuery; glEndQuery waits for the result of the query."""
         raw, number = self.raw, ctypes.c_uint()
         if packet.begin:
             raw.glGenQueries(1, ctypes.byref(number))

@@ -76,7 +76,7 @@ def count_devices() -> int:
 class EGLLoader:
     """A current EGL context with a pbuffer of width x height pixels.
 
-    core: a 3.3 core profile, else whatever the driver gives without a wish, which is its fixed function if it has one.
+    core: a 3.3 core profile; else the driver's default context, which has the fixed function if the driver has it.
     device: index of an EGL device; None takes GLCONTEXT_DEVICE_INDEX, else what opens first.
     Raises RuntimeError with what EGL said.
     """

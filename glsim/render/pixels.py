@@ -164,7 +164,7 @@ def merged_bitmaps(packets: Iterable[Pixels], size: tuple[int, int]) -> Iterator
     """The same picture, of this size (width, height), with fewer packets: bitmaps that differ only in their place
     become one.
 
-    That is so where fragments do not depend on what is there: without blending, logic op and stencil.
+    Only where fragments do not depend on the framebuffer's content: without blending, logic op and stencil.
     """
     run: list[Pixels] = []
     for packet in packets:
