@@ -103,7 +103,7 @@ def signed_colour(value: float) -> float:
 
 
 def array_from(data: Any, dtype: type, what: str) -> NDArray[Any]:
-    """The memory a program points to, as a flat array of ``dtype``."""
+    """The data of a program as a flat array of ``dtype``; bytes and the like as uint8.  what: its name in errors."""
     if data is None:
         raise ValueError(f"{what} is None: pass an array, or bind a buffer object first")
     memory = raw_bytes(data)

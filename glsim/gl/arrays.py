@@ -86,7 +86,7 @@ def offset_from(value: Any) -> int:
 
 
 def array_key(m: Machine, array: int) -> Any:
-    """Under what a vertex array is kept: each texture unit has its own texture coordinates."""
+    """The key of a vertex array in ``client.arrays``: (array, unit) for texture coordinates of units from 1 on."""
     return (array, m.client.unit) if array == gl.GL_TEXTURE_COORD_ARRAY and m.client.unit else array
 
 
@@ -200,7 +200,7 @@ def _bytes(size: int, kind: int) -> int:
 
 
 def elements(m: Machine, pointer: Pointer, first: int, count: int) -> NDArray[Any]:
-    """Elements ``first`` to ``first + count`` of an array, shape (count, size), as they lie in the program's memory."""
+    """The ``count`` elements of a vertex array from ``first`` on: (count, size), in the number type of the array."""
     dtype = np.dtype(DTYPES[pointer.type])
     width = pointer.size * dtype.itemsize
     stride = pointer.stride or width
@@ -286,7 +286,7 @@ def glDrawArrays(m: Machine, mode: int, first: int, count: int) -> None:
 
 
 def _add(m: Machine, mode: int, first: int, count: int, indices: Any) -> None:
-    """Draw elements ``first`` to ``first + count``, in the order of ``indices`` if there are any."""
+    """Draw the ``count`` elements from ``first`` on.  indices: their order, relative to ``first``, or None."""
     key = _buffers_key(m, first, count)
     if key is None:
         found = gather(m, first, count)
@@ -308,8 +308,10 @@ MOST_KEPT = 64
 
 
 def _buffers_key(m: Machine, first: int, count: int) -> tuple[Any, ...] | None:
-    """What the vertices follow from if they come from buffer objects alone: as long as it stays the same, the GPU
-    can keep them.  It begins with the buffer of the positions."""
+    """All that determines the vertices, as a key, if the enabled arrays lie in buffer objects; else None.
+
+    Draws with the same key have the same vertices, so the GPU keeps these.  key[0]: buffer object of the positions.
+    """
     vertex = m.client.arrays.get(gl.GL_VERTEX_ARRAY)
     if vertex is None or not vertex.enabled or m.objects.buffers.get(vertex.pointer.buffer) is None:
         return None

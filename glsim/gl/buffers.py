@@ -26,7 +26,10 @@ FIELDS: dict[int, str] = {gl.GL_ARRAY_BUFFER: "array_buffer", gl.GL_ELEMENT_ARRA
 
 
 class Buffer:
-    """A buffer object.  version counts its changes; vertices keeps what was drawn from it, for the GPU."""
+    """A buffer object.  version: counts the changes of its data.
+
+    vertices: the Vertices that were drawn from it, by arrays._buffers_key, so that the GPU keeps them.
+    """
 
     __slots__ = ("access", "data", "mapped", "usage", "version", "vertices")
 
@@ -186,7 +189,7 @@ def glGetBufferPointerv(m: Machine, target: int, pname: int) -> int | None:
 
 # ---------------------------------------------------------------- occlusion queries
 
-ACTIVE = 0  # the key in m.objects.queries of the name that is being counted
+ACTIVE = 0  # m.objects.queries[ACTIVE] is the name of the active query, 0 if there is none
 
 
 def glGenQueries(m: Machine, n: int, ids: Any = None) -> Any:

@@ -26,7 +26,7 @@ from glsim.machine.types import SUFFIXES
 Function = Callable[..., Any]
 ERRORS = (GLError, MemoryError, *MISUSE)
 
-# `current` is a global of immediate.py, where all commands find the machine; m would hide glLoadMatrixf's argument
+# `current` is a global of immediate.py: the machine.  The local name is not m, which is an argument of glLoadMatrixf.
 _TEMPLATE = """
 def bind(name, body, errors, again):
     def command({arguments}{rest}):
@@ -271,7 +271,7 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
 
 
 def _of_arrays(function: Function) -> Function:
-    """The function with a sentence where NumPy has no use for its last argument."""
+    """The function, which raises a TypeError with a sentence if NumPy cannot convert its last argument."""
 
     @wraps(function)
     def call(*arguments: Any, **named: Any) -> Any:

@@ -1,4 +1,4 @@
-"""glEnable, glDisable, glIsEnabled: what can be switched on, and where the switch lies."""
+"""glEnable, glDisable, glIsEnabled: the capabilities, and the field of the state that holds each."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ SERIES: dict[int, tuple[str, str, int]] = {
     gl.GL_LIGHT0: ("lighting", "light_enabled", MAX_LIGHTS),
     gl.GL_CLIP_PLANE0: ("transform", "clip_enabled", MAX_CLIP_PLANES),
 }
-# switches of the active texture unit -> field of TextureUnit, place in it
+# capability of the active texture unit -> (field of TextureUnit, index in this field)
 UNIT_CAPS: dict[int, tuple[str, int]] = {
     gl.GL_TEXTURE_1D: ("enabled", 0), gl.GL_TEXTURE_2D: ("enabled", 1), gl.GL_TEXTURE_3D: ("enabled", 2),
     gl.GL_TEXTURE_CUBE_MAP: ("enabled", 3), gl.GL_TEXTURE_GEN_S: ("generated", 0), gl.GL_TEXTURE_GEN_T: ("generated",

@@ -174,7 +174,7 @@ def evaluate(
 ) -> tuple[NDArray[np.float32], dict[str, NDArray[np.float32]]] | None:
     """Vertices at u (n,) or u, v (n,) of the enabled maps: rows (n, 10) and columns; None without a vertex map.
 
-    What no map gives is current.  grid: at every u with every v, u changing slowest.
+    An attribute without an enabled map has its current value.  grid: at each u with each v, u changing slowest.
     """
     dimensions = len(places)
     enabled = m.evaluators.enabled_1 if dimensions == 1 else m.evaluators.enabled_2
@@ -299,7 +299,7 @@ def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> No
     elif mode == gl.GL_POINT:
         m.add_draw(gl.GL_POINTS, rows, columns, None)
     elif len(p) > 1 and len(q) > 1:
-        # quads may be cut along either diagonal; where it is not seen that they are quads, cut them as drivers do
+        # The specification leaves the diagonal of a quad open: triangles as drivers make them, unless quads show.
         seen = (
             m.polygon.front_mode != gl.GL_FILL
             or m.polygon.back_mode != gl.GL_FILL

@@ -101,7 +101,7 @@ def immediate() -> str:
     return "\n\n".join([IMMEDIATE, first, *functions])
 
 
-# commands that are there and do not do all they say: why
+# command that glsim accepts but does not execute fully -> why
 INDEX_MODE = "accepted without effect: colour-index mode is not emulated, every context is RGBA"
 NO_FORMAT = "refused with GL_INVALID_ENUM: OpenGL 1.5 names no compressed format, and glsim offers none"
 REMARKS = {

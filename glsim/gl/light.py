@@ -36,7 +36,10 @@ def _color(params: Any) -> Color:
 
 
 def glShadeModel(m: Machine, mode: int) -> None:
-    """GL_FLAT: the equation once per primitive; GL_SMOOTH: per vertex; GL_PHONG_WIN: per fragment."""
+    """Where the lighting equation is evaluated: GL_SMOOTH at each vertex, GL_PHONG_WIN at each fragment.
+
+    GL_FLAT: at each vertex, too, but the whole primitive takes the colour of its provoking vertex.
+    """
     if mode not in (gl.GL_FLAT, gl.GL_SMOOTH, gl.GL_PHONG_WIN):
         raise invalid_enum("mode", mode, "GL_FLAT, GL_SMOOTH or GL_PHONG_WIN")
     m.lighting = m.lighting._replace(shade_model=mode)

@@ -70,7 +70,7 @@ def compile_list(recorder: ListRecorder) -> list[Item]:
 
 
 def _compiled(recorder: ListRecorder, first: int, end: int) -> list[Item]:
-    """One Geometry if the calls from ``first`` to ``end`` draw whole primitives and are free of errors, else them."""
+    """One Geometry if the calls ``first`` to ``end`` - 1 draw whole primitives without an error, else the calls."""
     calls = recorder.calls[first:end]
     brackets = [name for name, _ in calls if name in ("glBegin", "glEnd")]
     balanced = brackets == ["glBegin", "glEnd"] * (len(brackets) // 2)

@@ -14,7 +14,7 @@ from glsim.machine.types import fill
 
 
 def new_names(m: Machine, what: str, n: int, used: Callable[[int], bool]) -> list[int]:
-    """The ``n`` smallest names that are not used; they are taken."""
+    """The ``n`` smallest unused names.  what: "textures", "buffers", "queries" or "lists"."""
     if n < 0:
         raise invalid_value("n", n, "at least 0")
     if n > MOST_NAMES:
@@ -35,7 +35,7 @@ def free_name(m: Machine, what: str, name: int) -> None:
 
 
 def given_names(names: Sequence[int], array: Any) -> Any:
-    """Names as PyOpenGL returns them."""
+    """Names as PyOpenGL returns them: one number, an array of several, or ``array`` filled with them."""
     if array is not None:
         return fill(array, names)
     return np.uint32(names[0]) if len(names) == 1 else np.array(names, np.uint32)

@@ -30,7 +30,7 @@ from glsim.machine.pixels import (
 from glsim.machine.types import DTYPES, fill, plain
 
 LARGEST_RECTANGLE = 16384
-MOST_PIXELS = 1 << 26  # of a rectangle, if the picture itself has not more
+MOST_PIXELS = 1 << 26  # the most pixels of a rectangle, unless the framebuffer has more
 MAX_PIXEL_MAP_TABLE = 256
 INDEXED = (gl.GL_PIXEL_MAP_I_TO_I, gl.GL_PIXEL_MAP_S_TO_S, *INDEX_MAPS)  # maps whose size is a power of two
 

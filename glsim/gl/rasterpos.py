@@ -42,7 +42,7 @@ def glRasterPos(m: Machine, x: float, y: float, z: float = 0.0, w: float = 1.0) 
 
 
 def glWindowPos(m: Machine, x: float, y: float, z: float = 0.0) -> None:
-    """In pixels, always valid; the colours are the current ones, not lit."""
+    """x, y: window coordinates in pixels.  The position is valid; its colours are the current ones, not lit."""
     near, far = m.viewport[4:]
     depth = near + min(max(float(z), 0.0), 1.0) * (far - near)
     distance = m.current["fog_coord"][0] if m.fog.coordinate_source == GL_FOG_COORDINATE else 0.0

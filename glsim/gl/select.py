@@ -1,7 +1,7 @@
 """Selection and feedback: sections 5.2 and 5.3 of the specification.
 
-In these modes nothing is drawn.  Primitives go through the vertex stage and the clipping on the CPU; selection notes
-whether any was left and how deep it lay, feedback writes down what was left.
+In these modes nothing is drawn.  The CPU transforms, lights and clips the primitives.  Selection records the smallest
+and the largest depth of the primitives that are not clipped away; feedback writes their vertices into a buffer.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class Selection:
         self.depths = min(near, old[0]), max(far, old[1])
 
     def close(self) -> None:
-        """Write the hit record, before the name stack changes."""
+        """Write a hit record if there was a hit.  It is called before each change of the name stack."""
         if self.depths is None:
             return
         near, far = (round(min(max(depth, 0.0), 1.0) * LARGEST_DEPTH) for depth in self.depths)
@@ -268,7 +268,10 @@ def raster_hit(m: Machine) -> None:
 
 
 class Primitive(NamedTuple):
-    """Rows of one primitive that clipping left: clip coordinates, colour, texture coordinates (k, 12)."""
+    """A primitive after clipping.  corners: 1 for a point, 2 for a line, 3 for a polygon.
+
+    rows: (k, 12), for each vertex clip coordinates, colour and texture coordinates.
+    """
 
     corners: int
     rows: Float
@@ -294,7 +297,7 @@ def _culled(draw: Draw, front: bool) -> bool:
 
 
 def _left(rows: Float, distances: Float, kind: int) -> Float:
-    """What clipping leaves of one primitive with this many corners."""
+    """The rows of one primitive after clipping.  kind: 1 for a point, 2 for a line, 3 for a polygon."""
     return clipped(rows, distances, np.full(len(rows), BOUNDARY) if kind == 3 else None).rows
 
 

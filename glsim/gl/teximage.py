@@ -78,7 +78,7 @@ def _check_image(kind: int, level: int, internalformat: int, border: int, size: 
 
 
 def _check_room(kind: int, border: int, size: Sequence[int]) -> None:
-    """What a proxy texture is asked: whether there can be an image of this size."""
+    """Raise GLError if there cannot be an image of this size: the question that a proxy texture answers."""
     for length in size:
         if length > _largest(kind) + 2 * border:
             raise invalid_value("the size", length, f"from {2 * border} to {_largest(kind) + 2 * border}")

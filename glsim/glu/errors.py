@@ -26,7 +26,7 @@ class GLUWarning(UserWarning):
 
 
 def warn(code: int, sentence: str) -> None:
-    """Say what GLU would not, of the program's line: the call has no effect, and the program goes on."""
+    """Issue a GLUWarning for the program's line: the call has no effect, and the program continues."""
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_code.co_filename.startswith(PACKAGE):
         level, frame = level + 1, frame.f_back

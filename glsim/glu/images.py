@@ -23,10 +23,10 @@ CODES: dict[int, int] = {
 
 
 def scaled(image: NDArray[Any], size: tuple[int, ...], wrap: bool = False) -> NDArray[np.float64]:
-    """An image (..., components) at another size: each new pixel is the mean over a part of the old ones.
+    """An image (..., components) scaled to ``size``: each new pixel is the mean of the old image over its own area.
 
-    The part is as large as the new pixel; with ``wrap`` it is at least as large as an old one, and goes on at the other
-    side of the image.
+    With ``wrap`` this area is at least as large as an old pixel; where it exceeds the image, it continues at the
+    opposite side.
     """
     result = image.astype(np.float64)
     for axis, (old, new) in enumerate(zip(image.shape[:-1], size, strict=True)):
@@ -82,13 +82,16 @@ def _build(
     name: str, target: int, internalFormat: int, size: tuple[int, ...], format: int, type: int, data: Any,
     levels: tuple[int, int, int] | None = None,
 ) -> int:  # fmt: skip
-    """Load levels of a texture.  size: (depth, height, width), as many as it has; levels: that of the image, the first
-    and the last to load; without them all, from the image at powers of two on down to a single texel."""
+    """Load levels of a texture from an image.
+
+    size: (width,), (height, width) or (depth, height, width) of the image.  levels: (level of the image, first level to
+    load, last level to load); None: the image is scaled to powers of two, and all levels down to one texel are loaded.
+    """
     image = _unpacked(name, size, format, type, data).reshape(*size, -1)
     level, base, last = levels or (0, 0, 31)
     if levels is None:
         limit = 512 if len(size) == 3 else 4096
-        # the sample implementation averages bytes and the like in 2D; what it unpacks to 16 bits first goes round
+        # As GLU's sample implementation: it wraps what it first unpacks to 16 bits; in 2D these are the packed types.
         wrap = len(size) != 2 or type in PACKED
         image = scaled(image, tuple(min(_nearest_power(length), limit) for length in size), wrap)
     elif not 0 <= level <= base <= last < level + max(size).bit_length():

@@ -73,7 +73,7 @@ class Nurbs:
         self.data: Any = None
 
     def fail(self, error: str | int, sentence: str) -> None:
-        """To the callback; without one there is a warning.  error: its name, or k of GLU_NURBS_ERRORk."""
+        """Call the error callback, or issue a GLUWarning.  error: name of the code, or k of GLU_NURBS_ERRORk."""
         code = NAMES[error if isinstance(error, str) else f"GLU_NURBS_ERROR{error}"]
         if "ERROR" not in self.callbacks:
             warn(code, sentence)
@@ -96,7 +96,7 @@ def gluDeleteNurbsRenderer(nurb: Nurbs) -> None:
 
 
 def gluNurbsCallback(nurb: Nurbs, which: int, CallBackFunc: Callable[..., Any] | None) -> None:
-    """GLU_NURBS_ERROR, and for GLU_NURBS_TESSELLATOR those that get the vertices instead of the screen."""
+    """Set a callback: GLU_NURBS_ERROR, or one that gets the vertices in mode GLU_NURBS_TESSELLATOR; None: remove it."""
     for name in CALLBACKS:
         for wants_data in (False, True) if name != "ERROR" else (False,):
             if which == NAMES[f"GLU_NURBS_{name}{'_DATA' if wants_data else ''}"]:
@@ -329,7 +329,7 @@ def _counts(nurb: Nurbs, spline: Spline, axis: int) -> NDArray[np.int64]:
         return np.minimum(np.ceil(steps) if surface else np.floor(steps) + 1, MOST_SAMPLES).astype(np.int64)
     points = _measured(nurb, _patches(spline))
     if method in (NAMES["GLU_PATH_LENGTH"], NAMES["GLU_OBJECT_PATH_LENGTH"]):
-        # on a surface the two ways along the sides of a piece together are as long as the tolerance
+        # on a surface a step is half as long as the tolerance
         steps = _fastest(points, axis, axis) * (2 if surface else 1) / nurb.properties[TOLERANCE]
     else:  # a chord of length h leaves a curve by at most h^2 / 8 times its second derivative
         bend = _fastest(points, axis, axis, axis)

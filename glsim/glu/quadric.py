@@ -2,9 +2,9 @@
 
 The vertices come in the order of GLU's sample implementation, so that flat shading, lines, points and culling agree:
 around an axis x is the sine and y the cosine of the angle, and faces are counterclockwise seen from outside.  Numbers
-are rounded to float32 where that implementation rounds them, so that the same pixels are covered.  Where its normals
-are odd (along the lines of a cylinder they have no slope), so are these; only where it takes memory it never set, for
-points and silhouettes with GLU_FLAT, they are what they should be.
+are rounded to float32 where that implementation rounds them, so that the same pixels are covered.  Even its wrong
+normals are copied: along the lines of a cylinder they ignore the slope of the side.  Only for points and silhouettes
+with GLU_FLAT, where that implementation reads memory it never set, glsim computes the right normals.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ def gluQuadricTexture(quad: Quadric, texture: bool) -> None:
 
 
 def gluQuadricCallback(quad: Quadric, which: int = GLU_ERROR, function: Callable[[int], Any] | None = None) -> None:
-    """function(error code) is called instead of raising."""
+    """Set the error callback: function(error code) is called at each error.  None: GLU issues a GLUWarning instead."""
     if which != GLU_ERROR:
         quad.fail("gluQuadricCallback", f"which must be GLU_ERROR, not {which!r}", "GLU_INVALID_ENUM")
     quad.on_error = function
@@ -312,7 +312,7 @@ class _Sphere:
             gl.glNormal3f(side * self.sines[i] * ring, side * self.cosines[i] * ring, side * self.axis[j])
 
     def flat(self, i: int, j: int) -> None:
-        """The normal of the face before slice i and stack j."""
+        """With GLU_FLAT: the normal of the face between slices i - 1 and i and stacks j - 1 and j."""
         side, ring = self.quad.side, self.flat_ring[j]
         if self.quad.normals == FLAT:
             gl.glNormal3f(

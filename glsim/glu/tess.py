@@ -146,7 +146,7 @@ def gluGetTessProperty(tess: Tessellator, which: int, data: Any = None) -> Any:
 
 
 def gluTessNormal(tess: Tessellator, x: float, y: float, z: float) -> None:
-    """The normal of the polygon's plane; 0, 0, 0 lets it be found."""
+    """Set the normal of the polygon's plane; (0, 0, 0): glsim computes it from the contours."""
     tess.normal = np.array([x, y, z], np.float64)
 
 
@@ -230,8 +230,11 @@ def gluEndPolygon(tess: Tessellator) -> None:
 
 
 def _normal(contours: list[list[tuple[Float, Any]]]) -> Float:
-    """The normal of the plane in which the contours lie, so that they go round it counterclockwise: across the largest
-    triangle on the two points that are farthest apart along an axis."""
+    """A normal (3,) of the plane of the contours, on the side from which they are counterclockwise.
+
+    It is the normal of a triangle: of the two points farthest apart along a coordinate axis, and of the point that
+    makes the largest triangle with them.
+    """
     points = np.array([point for contour in contours for point, _ in contour])
     axis = int(np.argmax(np.ptp(points, axis=0)))
     a, b = points[points[:, axis].argmin()], points[points[:, axis].argmax()]
@@ -247,8 +250,10 @@ def _normal(contours: list[list[tuple[Float, Any]]]) -> Float:
 
 
 def _flat(normal: Float, points: Float) -> Float:
-    """Points (n, 3) in the plane: along the coordinate axis that the normal is nearest to, counterclockwise seen from
-    where it points."""
+    """Points (n, 3) projected along the coordinate axis that is nearest to the normal: (n, 2).
+
+    A contour that is counterclockwise seen from the tip of the normal stays counterclockwise.
+    """
     axis = int(np.argmax(np.abs(normal)))
     side = 1.0 if normal[axis] >= 0 else -1.0
     u, v = points[:, (axis + 1) % 3], points[:, (axis + 2) % 3]
@@ -346,7 +351,7 @@ class _Plane:
                 cuts.setdefault(edges[cut[k]], set()).add(edges[by[k]][end])
 
     def _crossing(self, one: Edge, other: Edge, t: float, u: float) -> int:
-        """The number of the point where two edges cross, t and u of the way along them."""
+        """The number of the point where two edges cross: at the fractions t and u of their lengths."""
         (x, y), (x2, y2) = self.grid[one[0]], self.grid[one[1]]
         place = x + round(t * (x2 - x)), y + round(t * (y2 - y))
         if place in self.numbers:
@@ -388,8 +393,8 @@ def _between(p: Whole, a: Whole, b: Whole) -> NDArray[np.bool_]:
 def _near(P: Whole, edges: Whole) -> Iterator[tuple[Whole, Whole]]:
     """Pairs of edges whose bounding boxes meet, some at a time.
 
-    Edges are sorted along one axis; each is held against those that begin before it ends.  It is the axis along which
-    fewer edges lie side by side.
+    The edges are sorted along one axis; each is compared with the later ones that begin before it ends.  Of the two
+    axes it is the one with fewer such pairs.
     """
     A, B = P[edges[:, 0]], P[edges[:, 1]]
     low, high = np.minimum(A, B), np.maximum(A, B)
@@ -420,10 +425,10 @@ def _left(a: Point, b: Point, p: Point) -> int:
 
 
 def _sweep(grid: list[Point], edges: Iterable[Edge]) -> Iterator[tuple[int, int, int, list[Edge]]]:
-    """A line that goes over the points from left to right and knows the edges it meets, from bottom to top.
+    """Move a vertical line over the points from left to right, with a list of the edges it meets, from bottom to top.
 
-    Yields (point, place, count, begun) for each point: from ``place`` on ``count`` edges end, the edges ``begun`` take
-    their place.
+    Yields (point, place, count, begun) for each point: the ``count`` edges of the list from index ``place`` on end at
+    the point, and the edges ``begun``, which start at it, replace them.
     """
     begins: dict[int, list[Edge]] = {}
     for edge in edges:
@@ -451,10 +456,10 @@ def _upwards(grid: list[Point], edges: list[Edge]) -> list[Edge]:
 
 
 def _apart(grid: list[Point], edges: Iterable[Edge]) -> bool:
-    """Whether no edges meet but at their ends.
+    """Whether the edges meet only at their ends.
 
-    Two that cross lie side by side on the line before it comes to where they do (M. Shamos and D. Hoey, Geometric
-    intersection problems, 1976), so that only neighbours need be compared.
+    Two edges that cross are neighbours on the sweep line before it reaches the crossing (M. Shamos and D. Hoey,
+    Geometric intersection problems, 1976), so only neighbours are compared.
     """
     met: list[Edge] = []
     for number, place, count, begun in _sweep(grid, edges):
@@ -492,10 +497,11 @@ def _boundary(plane: _Plane, inside: Callable[[int], bool]) -> list[Edge]:
 
 
 class _Cutter:
-    """Cuts the inside into triangles while the line goes over it.
+    """Cuts the inside of the polygon into triangles while the sweep line moves over it.
 
-    Each part of the line inside has a chain: the points from its lower edge to its upper edge that still need triangles
-    to their right.  Seen from the right a chain bulges, so that a new point sees a row of its points.
+    Each part of the sweep line inside the polygon lies between two edges and has a chain: the points, from the lower
+    edge to the upper edge, that need triangles on their right.  A chain is convex towards the right, so that the points
+    of the chain which a new point sees are consecutive.
     """
 
     def __init__(self, grid: list[Point]) -> None:
@@ -510,26 +516,29 @@ class _Cutter:
         return True
 
     def above(self, chain: deque[int], new: int) -> deque[int]:
-        """The chain below its upper edge, which ends at the new point."""
+        """The upper edge of the chain's part ends at ``new``: cut triangles at the upper end, append ``new``."""
         while len(chain) > 1 and self._cut(chain[-2], chain[-1], new):
             chain.pop()
         chain.append(new)
         return chain
 
     def below(self, chain: deque[int], new: int) -> deque[int]:
-        """The chain above its lower edge, which ends at the new point."""
+        """The lower edge of the chain's part ends at ``new``: cut triangles at the lower end, prepend ``new``."""
         while len(chain) > 1 and self._cut(chain[0], chain[1], new):
             chain.popleft()
         chain.appendleft(new)
         return chain
 
     def close(self, chain: deque[int], new: int) -> None:
-        """Both edges end at the new point."""
+        """Both edges of the chain's part end at ``new``: cut the triangles between the chain and ``new``."""
         for a, b in pairwise(chain):
             self._cut(a, b, new)
 
     def split(self, chain: deque[int], new: int) -> tuple[deque[int], deque[int]]:
-        """The new point lies between the edges: the chain below it and the chain above it."""
+        """``new`` lies between the two edges: split the chain at its rightmost point.
+
+        Returns the chain below ``new`` and the chain above it; both contain ``new``.
+        """
         points = list(chain)
         k = max(range(len(points)), key=lambda k: self.grid[points[k]])  # nothing hides the rightmost point
         return self.above(deque(points[: k + 1]), new), self.below(deque(points[k:]), new)

@@ -77,7 +77,7 @@ def gluPickMatrix(x: float, y: float, deltax: float, deltay: float, viewport: An
 
 
 def matrices(model: Any, proj: Any, view: Any) -> tuple[Float, Float, Float]:
-    """What is given, or what the context has: modelview, projection (4, 4), viewport (4,)."""
+    """The arguments, or for None the context's state: modelview (4, 4), projection (4, 4), viewport (4,)."""
     modelview = np.asarray(gl.glGetDoublev(gl.GL_MODELVIEW_MATRIX) if model is None else model, np.float64)
     projection = np.asarray(gl.glGetDoublev(gl.GL_PROJECTION_MATRIX) if proj is None else proj, np.float64)
     viewport = np.asarray(gl.glGetIntegerv(gl.GL_VIEWPORT) if view is None else view, np.float64)

@@ -166,7 +166,7 @@ def glutReshapeWindow(width: int, height: int) -> None:
 
 
 def glutFullScreen() -> None:
-    """As large as the screen; without one, 1280 x 1024."""
+    """Make the current window as large as the screen, which has 1280 x 1024 pixels in glsim."""
     window = current_window("glutFullScreen")
     if loop.fixed_size is None and window.asked != SCREEN:
         settings.full_screen_before[window.ident] = window.asked

@@ -126,7 +126,7 @@ class Shown:
 
     @contextmanager
     def _current(self) -> Iterator[None]:
-        """The window's context instead of the one that draws: of one thread only one of them can be current."""
+        """Make the real window's context current instead of the offscreen one: a thread has one current context."""
         with uninterrupted():
             self.window.screen.detach()
             self.glfw.make_context_current(self.handle)

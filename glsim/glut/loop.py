@@ -1,11 +1,12 @@
-"""When callbacks are called: in steps, one after the other, the same each time.
+"""The steps of GLUT's main loop: in which order it calls the callbacks.  The order is the same in each run.
 
-    step 0   for each window in the order of creation: reshape, visibility, display
-    step k   the clock advances by a tick, or to the next timer if neither an idle function nor an event is there; the
-             event for this step, if any; each timer that is due, once; idle; display of each window that was marked
+    step 0   reshape of each window, in the order of creation; then, window by window, visibility and display
+    step k   the clock advances by a tick; by more, to the next timer, if the step has no event and the program no idle
+             callback; the event of this step, if any; each timer that is due, once; the idle callback; reshape of
+             each window with a new size; display of each window with a new size or marked by glutPostRedisplay
 
-One picture of each window is taken after a step: what was last handed to glutSwapBuffers, or, of a single-buffered
-window, what has been drawn.
+After each step one picture of each window is taken: of a double-buffered window, what glutSwapBuffers showed last; of a
+single-buffered window, what has been drawn until then.
 """
 
 from __future__ import annotations
@@ -43,7 +44,10 @@ class RealClock:
 
 
 class StepClock:
-    """Stands still within a step; creeps after many looks, so that programs that wait for it go on."""
+    """A clock that stands still within a step.
+
+    After PATIENCE calls of ``now`` in a step each call adds 1 ms, so that a program waiting for a time does not hang.
+    """
 
     PATIENCE = 10_000
 
@@ -65,11 +69,12 @@ class FinishedError(BaseException):
 
 
 class Loop:
-    """Windows, timers, menus and the order of things.
+    """The main loop: its windows, timers and menus, and the steps in which it calls their callbacks.
 
-    events: one for each step from the first on, as text.  steps: how many are made; None for no end.  fixed_size: the
-    size of every window, whatever the program asks.  on_open: called with each new window; on_step: after each step.
-    on_error: called with where and the exception that a callback raised; without it the exception goes on.
+    events: as text; step k delivers events[k - 1], step 0 delivers none.  steps: the number of steps, at least
+    1 + len(events); None for no end.  fixed_size: the size of every window, whatever the program asks.  on_open: called
+    with each new window.  on_step: called with the loop after each step.  on_error: called with the kind of a callback
+    and the exception that it raised; if on_error is None, the program gets the exception.
     """
 
     def __init__(self) -> None:

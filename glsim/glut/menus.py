@@ -12,7 +12,7 @@ from glsim.glut.window import Window
 
 @dataclass
 class Menu:
-    """entries: (label, value) of a plain entry, (label, submenu number) with submenu True."""
+    """A menu.  entries: (label, value, False) calls function(value); (label, number, True) opens menu ``number``."""
 
     function: Callable[[int], Any]
     entries: list[tuple[str, int, bool]] = field(default_factory=list)

@@ -449,7 +449,7 @@ MOST_LEVELS = 10  # a million tetrahedra
 
 @kept(MEMORY)
 def _sponge(levels: int, offset: tuple[float, float, float], scale: float, wire: bool) -> Shape:
-    """Four sponges of half the size at the corners of a tetrahedron, and so on."""
+    """Tetrahedra; each of the ``levels`` replaces a tetrahedron by four of half the size at its corners."""
     size, middles = np.float32(scale), np.array([offset], np.float64)
     for _ in range(levels):
         size /= np.float32(2)

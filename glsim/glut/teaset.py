@@ -22,10 +22,10 @@ from glsim.machine.kept import kept
 class Vessel(NamedTuple):
     """How a member of the tea set follows from its patches."""
 
-    part: float  # of the size
-    middle: float  # z that comes to y = 0
-    copies: tuple[int, ...]  # of each patch: 4 by quarter turns, 2 by reflection, 1
-    poles: dict[int, float]  # patches whose first row is one point, and y of the normal there
+    part: float  # the scale is the size divided by ``part``
+    middle: float  # the z of the control points that becomes y = 0
+    copies: tuple[int, ...]  # for each patch how often it is drawn: 4 quarter turns, 2 by a reflection, or 1
+    poles: dict[int, float]  # number of a patch whose first row is one point -> y of the normal at this point
 
 
 VESSELS = {

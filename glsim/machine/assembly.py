@@ -1,10 +1,10 @@
 """Primitive assembly: which vertices make which triangle, line or point (OpenGL 1.5, section 2.6.1).
 
-Flat shading takes a primitive's colour from its provoking vertex.  The GPU takes the LAST vertex of a triangle or
-line, so the index patterns put OpenGL's provoking vertex last: the last of a triangle, the fourth of a quad, the
-first of a polygon (table 2.12).  How a quad is cut into triangles is not specified.  Here it is as Mesa does it: along
-v0-v2, but along v1-v3 under flat shading, where both triangles must end in the fourth vertex, in glDrawElements, in
-display lists, and under two-sided lighting.
+Flat shading takes the colour of a primitive from its provoking vertex (table 2.12): the last vertex of a triangle, the
+fourth of a quad, the first of a polygon.  The GPU takes it from the LAST vertex of a triangle or line, so each index
+pattern in this file puts the provoking vertex last.  The specification does not say along which diagonal a quad is cut
+into triangles.  glsim does as Mesa: along v0-v2; but along v1-v3, so that both triangles end in the fourth vertex,
+under flat shading, under two-sided lighting, in glDrawElements and in display lists.
 """
 
 from __future__ import annotations

@@ -14,11 +14,16 @@ from glsim.machine.state import Transform
 Float = NDArray[np.float64]
 VIEW_PLANES = 6  # the planes of the view volume come before those of glClipPlane
 
-INTERIOR, BOUNDARY, INTRODUCED = 0, 1, 2  # edges: inside of a surface, of its outline, made by glClipPlane
+# Kinds of edges of a polygon.  GL_LINE mode draws BOUNDARY and INTRODUCED edges, but no INTERIOR edge.  INTRODUCED:
+# made by clipping at a plane of glClipPlane.
+INTERIOR, BOUNDARY, INTRODUCED = 0, 1, 2
 
 
 def edge_kinds(draw: Draw, rings: NDArray[np.uint32]) -> NDArray[np.int64]:
-    """The kind of the edge from each corner of polygons (n, k) to the next, as glEdgeFlag says (section 2.6.2)."""
+    """The kind (n, k) of the edge from each corner to the next: INTERIOR if glEdgeFlag is GL_FALSE (section 2.6.2).
+
+    rings: (n, k) vertex numbers around each polygon.  Edge flags apply to GL_TRIANGLES, GL_QUADS and GL_POLYGON only.
+    """
     if draw.mode not in (GL_TRIANGLES, GL_QUADS, GL_POLYGON) or not draw.block.varies("edge_flag"):
         return np.full(rings.shape, BOUNDARY)
     return np.where(draw.block.column("edge_flag")[rings, 0] != 0.0, BOUNDARY, INTERIOR)
@@ -27,7 +32,8 @@ def edge_kinds(draw: Draw, rings: NDArray[np.uint32]) -> NDArray[np.int64]:
 def distances(clip: Float, eye: Float, transform: Transform) -> Float:
     """Signed distances (n, p) from the planes of the clip volume; negative is outside.
 
-    clip, eye: coordinates (n, 4).
+    clip, eye: clip and eye coordinates of the vertices, (n, 4).  p: the six planes of the view volume, then the enabled
+    planes of glClipPlane.
     """
     x, y, z, w = clip.T
     planes = [w + x, w - x, w + y, w - y, w + z, w - z]
@@ -38,8 +44,10 @@ def distances(clip: Float, eye: Float, transform: Transform) -> Float:
 
 
 class Clipped(NamedTuple):
-    """What is left of a primitive: rows (m, c); of each vertex, whether clipping made it, and the kind of the edge that
-    begins there (m,)."""
+    """The part of a primitive that lies inside of all planes: m vertices.
+
+    rows: (m, c).  new: (m,), True for a vertex that clipping made.  edges: (m,), kind of the edge to the next vertex.
+    """
 
     rows: Float
     new: NDArray[np.bool_]
@@ -50,7 +58,7 @@ def clipped(rows: Float, distances: Float, edges: NDArray[np.int64] | None = Non
     """One primitive, rows (k, c), cut where a distance (k, p) is negative (Sutherland and Hodgman).
 
     edges: for a polygon the kind of the edge from each corner to the next; None for a line or a point.
-    introduced: the first plane along which new edges are INTRODUCED; along those before they are INTERIOR.
+    introduced: number of the first plane whose new edges are INTRODUCED; those of the planes before it are INTERIOR.
     """
     closed = edges is not None
     left = [(np.append(row, d), False, BOUNDARY) for row, d in zip(rows, distances, strict=True)]

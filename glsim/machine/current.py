@@ -1,15 +1,16 @@
 """Which machine the gl commands drive: each thread has its own, as in OpenGL.
 
 The commands read it from one global name, ``current`` of glsim/gl/immediate.py.  As long as a single thread has a
-machine, it is that machine.  When a second thread has one too, it is a Router, which runs each command again as the
-calling thread's own copy: a function of the same code whose global ``current`` is the thread's machine.
+machine, ``current`` is that machine.  When a second thread has one, too, ``current`` is a Router.  The Router passes
+each call on to a copy of the command that belongs to the calling thread: a function with the same code, whose global
+``current`` is the machine of this thread.
 
     def glNormal3f(nx, ny, nz):        # in immediate.py, whose globals are the dict G
         m = current                    # one thread: G["current"] is its machine, and this is all that is paid
     mine = FunctionType(glNormal3f.__code__, {**G, "current": my_machine})  # Place.command("glNormal3f")
     mine(0, 0, 1)                      # the same code, which finds my_machine under the name ``current``
-    glNormal3f(0, 0, 1)                # several threads: G["current"] is the Router, which is busy and has a recorder,
-                                       # so it is asked instead: Router.recorder("glNormal3f", (0, 0, 1)) calls mine
+    glNormal3f(0, 0, 1)                # several threads: G["current"] is the Router.  It has a recorder, so the command
+                                       # calls Router.recorder("glNormal3f", (0, 0, 1)), and that calls mine(0, 0, 1)
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ NO_CONTEXT = (
 
 
 class NoMachine:
-    """Stands in while no context is current: whatever is asked of it, it says what to do."""
+    """The value of ``current`` while no context is current: each access raises NoContextError with ``sentence``."""
 
     def __init__(self, sentence: str = NO_CONTEXT) -> None:
         self.__dict__["sentence"] = sentence
@@ -45,7 +46,10 @@ class NoMachine:
 
 
 class Place:
-    """What one thread has current.  It is gone when the thread has ended."""
+    """The machine that is current in one thread, and this thread's copies of the commands.
+
+    Python deletes the object when the thread ends.
+    """
 
     def __init__(self) -> None:
         self.machine: Any = _nobody
@@ -71,7 +75,7 @@ class _Here(threading.local):
 
 
 class Router:
-    """Stands where the machine stands while several threads have one."""
+    """The value of ``current`` while several threads have a machine: it passes each call on to the thread's copy."""
 
     busy = True  # so that each command comes here
 
@@ -83,7 +87,7 @@ class Router:
 
 _nobody: Any = NoMachine()
 _namespace: dict[str, Any] = {}  # the globals of the commands
-_holders: dict[int, Any] = {}  # the machines that are current in a thread, by its place
+_holders: dict[int, Any] = {}  # id of a thread's Place -> the machine that is current in the thread
 _lock = threading.RLock()
 
 
@@ -153,7 +157,7 @@ def _switch(machine: Any) -> None:
 
 
 def _choose() -> None:
-    """What the commands reach: the only machine there is, or the router."""
+    """Set the global ``current``: the NoMachine, the machine if only one thread has one, or the Router."""
     machines = list(_holders.values())
     _namespace["current"] = _nobody if not machines else machines[0] if len(machines) == 1 else _router
 
@@ -166,7 +170,7 @@ def _vacate(place: int) -> None:
 
 
 def forget(sentence: str) -> None:
-    """No thread has a machine any more, and whoever needs one is told why."""
+    """Forget the current machine of every thread: each gl command now raises NoContextError(sentence)."""
     global _nobody
     _nobody = NoMachine(sentence)
     _holders.clear()

@@ -48,7 +48,7 @@ class GLError(Exception):
 class NoContextError(RuntimeError):
     """A gl command was called while no context is current.  A program that uses GLUT is told of glutCreateWindow."""
 
-    uses_glut = False  # since glutInit
+    uses_glut = False  # glutInit sets it to True
 
     def __str__(self) -> str:
         problem, _, remedy = super().__str__().partition(": ")

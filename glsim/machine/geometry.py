@@ -37,7 +37,10 @@ class Geometry:
     """
 
     def __init__(self, calls: Sequence[AnyCall], clients: dict[int, dict[Any, Any]], first: int) -> None:
-        """clients: client state of vertex arrays for the calls that need it, by position counted from ``first``."""
+        """calls: consecutive calls of a display list.  first: the position of calls[0] in the list.
+
+        clients: position in the list of a call that draws from vertex arrays -> the state of these arrays.
+        """
         machine = _execute(calls, clients, first)
         self.draws: list[Draw] = [packet for packet in machine.packets if isinstance(packet, Draw)]
         self.after = {
@@ -75,7 +78,10 @@ class Geometry:
             m.current = self.after_current
 
     def _assembled(self) -> list[tuple[int, NDArray[np.uint32]]]:
-        """All primitives as few draws of plain triangles, lines or points; the arrays stay the same objects."""
+        """All primitives as few pairs (mode, indices) of separate triangles, lines or points.
+
+        Each call returns the same index arrays, so that the GPU can keep its copies of them.
+        """
         if self.order is None:
             self.order = []
             for kind, group in groupby(self.draws, key=lambda draw: corners(draw.mode)):
@@ -85,7 +91,10 @@ class Geometry:
         return self.order
 
     def _resolved(self, m: Machine, all_columns: bool) -> Vertices:
-        """The vertices with the machine's values where the list sets none; of the columns only if they are needed."""
+        """The vertices with the machine's current values in place of NaN.
+
+        all_columns: whether NaN is replaced in ``columns``, too.
+        """
         current = m.current if all_columns and self.no_column else {}
         key = (
             (m.nx, m.ny, m.nz) if self.takes_normal else None,
@@ -113,7 +122,7 @@ def _indices(draw: Draw) -> NDArray[np.uint32]:
 
 
 def _execute(calls: Sequence[AnyCall], clients: dict[int, dict[Any, Any]], first: int) -> Machine:
-    """Run the calls on a machine of their own in which no current value is known."""
+    """Run the calls on a new machine whose current normal, colour, texture coordinates, ... are NaN; return it."""
     scratch = Machine(_NoDevice())  # type: ignore[arg-type]
     scratch.nx = scratch.ny = scratch.nz = scratch.red = scratch.green = scratch.blue = scratch.alpha = NAN
     scratch.tracks = {name: [(0, (NAN,) * len(track[0][1]))] for name, track in scratch.tracks.items()}

@@ -1,4 +1,4 @@
-"""What a context holds beside its groups of state, by topic.  None of it is touched once a vertex."""
+"""State of a context that is in no group of state.py: vertex arrays, pixel storage, objects and the render mode."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from glsim.machine.texture import Texture
 class VertexArrays:
     """State of the client that glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT) saves (sections 2.8 and 2.9).
 
-    arrays: for each array, such as GL_NORMAL_ARRAY or (GL_TEXTURE_COORD_ARRAY, unit), where its numbers lie.
+    arrays: GL_NORMAL_ARRAY, ..., or (GL_TEXTURE_COORD_ARRAY, unit) for units from 1 on -> Client (enabled, pointer).
     unit: chosen by glClientActiveTexture.  array_buffer, element_buffer: names of the bound buffer objects, 0 for none.
     """
 
@@ -40,7 +40,7 @@ class PixelStores:
 
 @dataclass(slots=True)
 class Objects:
-    """What the program has made and can name: by name, or by target.
+    """The objects of the program, by name: textures, buffer objects, queries, display lists; evaluator maps by target.
 
     textures: by (name, kind); name 0 are the default ones.  texture_names: those that glGenTextures returned.
     lists: compiled display lists.  maps: glMap1 and glMap2, by target.

@@ -32,9 +32,9 @@ class Outlet:
     """What the packets of a flush pass on their way to the device, in the order of the fields.
 
     collector: takes all of them, and nothing is drawn: glRenderMode(GL_SELECT) and GL_FEEDBACK.
-    limit: makes of each packet what a window without some of the buffers can draw.
+    limit: returns each packet without the tests of those buffers that the window does not have.
     change: makes of each Draw another one: under another shade model, say.
-    frame: is appended what will be drawn: ``glsim.capture``.
+    frame: the packets that will be drawn are appended to its ``packets`` (``glsim.capture``).
     """
 
     collector: Callable[[list[Packet]], None] | None = None
@@ -43,7 +43,7 @@ class Outlet:
     frame: Frame | None = None
 
     def passed(self, packets: list[Packet]) -> list[Packet]:
-        """The packets that the device shall draw, of those of one flush."""
+        """Send the packets of one flush through the fields; return the packets that the device draws."""
         if self.collector is not None:
             self.collector(packets)
             return []
@@ -56,7 +56,7 @@ class Outlet:
         return packets
 
     def reset(self) -> None:
-        """The machine was reset: it is in GL_RENDER mode, and a Frame that is being captured begins anew."""
+        """Called when the machine is reset: end selection or feedback mode, and empty the Frame that is captured."""
         self.collector = None
         if self.frame is not None:
             self.frame.packets.clear()

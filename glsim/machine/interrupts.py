@@ -27,8 +27,8 @@ class _Held:
 class uninterrupted:  # noqa: N801 - read as a word: with uninterrupted():
     """Hold back KeyboardInterrupt, and what handlers of SIGTERM and SIGALRM raise, until the block has ended.
 
-    moderngl's C code calls Python functions and uses what they return without asking whether they raised; and what is
-    half done, such as switching to another context, must not stay so.  Python runs handlers in the main thread alone.
+    moderngl's C code calls Python functions and uses their results without checking for an exception; and an operation
+    such as switching to another context must not stop half-way.  Python runs signal handlers in the main thread only.
     """
 
     __slots__ = ("held",)

@@ -1,4 +1,4 @@
-"""Results that are kept for the next call, as long as they do not take too much memory."""
+"""A cache for the results of functions, limited in bytes."""
 
 from __future__ import annotations
 
@@ -21,8 +21,10 @@ def size_of(value: Any) -> int:
 
 
 def kept(most: int) -> Callable[[Callable[..., R]], Callable[..., R]]:
-    """Like functools.lru_cache, but with a limit for the bytes of the arrays that are kept; a result of more than a
-    quarter of it is not kept."""
+    """A decorator like functools.lru_cache whose cache is limited in bytes.
+
+    most: bytes of the arrays in all cached results.  A result of more than a quarter of ``most`` is not cached.
+    """
 
     def decorate(function: Callable[..., R]) -> Callable[..., R]:
         results: OrderedDict[tuple[Any, ...], tuple[R, int]] = OrderedDict()

@@ -46,15 +46,15 @@ from glsim.machine.state import (
     take_groups,
 )
 
-# So that a program that never flushes stays small, packets are handed to the device when their vertices, or pictures of
-# pixel rectangles, take more than LARGE bytes, or when there are more than MANY packets.
+# The machine flushes by itself when vertices and images of the packets take more than LARGE bytes, or when there are
+# more than MANY packets: so a program that never calls glFlush does not run out of memory.
 LARGE = 256 * 1024 * 1024
 MANY = 1 << 18
 
+ATTRIB_STACK_DEPTH = 16  # of glPushAttrib and of glPushClientAttrib; the specification's minimum
+MAX_LIST_NESTING = 64  # of display lists that call each other; the specification's minimum
+MOST_NAMES = 1 << 20  # the most names that one call of glGenTextures, glGenLists, ... can ask for
 # Depths of the matrix stacks; the specification's minimum is 32, 2 and 2.
-ATTRIB_STACK_DEPTH = 16
-MAX_LIST_NESTING = 64
-MOST_NAMES = 1 << 20  # of display lists or textures that one call may ask for
 STACK_DEPTH: dict[int, int] = {GL_MODELVIEW: 64, GL_PROJECTION: 32, GL_TEXTURE: 32}
 
 
@@ -69,7 +69,7 @@ class Device(Protocol):
     height: int
 
     def check(self) -> None:
-        """Raise if it cannot draw now, in this thread; whoever asks loses nothing yet."""
+        """Raise an exception if it cannot draw now, in this thread; ``flush`` calls it before it takes the packets."""
 
     def execute(self, packets: list[Packet]) -> None: ...
 
@@ -80,7 +80,8 @@ class Device(Protocol):
     def describe(self) -> dict[str, Any]: ...
 
 
-# An attribute that few programs change from vertex to vertex: (position in the stream, value from there on).
+# The values of an attribute that few programs change from vertex to vertex: pairs (byte position in the stream, value).
+# A value holds for the vertices from its position to the next pair's.
 Track = list[tuple[int, tuple[float, ...]]]
 INITIAL: dict[str, tuple[float, ...]] = {
     **{f"texcoord{unit}": (0.0, 0.0, 0.0, 1.0) for unit in range(TEXTURE_UNITS)},
@@ -100,7 +101,7 @@ def _column(track: Track, count: int) -> NDArray[np.float32]:
 
 
 def _ignore(row: bytes) -> int:
-    """Where glVertex writes outside of glBegin/glEnd: the specification leaves it undefined, drivers ignore it."""
+    """``write`` outside of glBegin/glEnd: drops the vertex, as drivers do; the specification leaves it undefined."""
     return 0
 
 
@@ -215,7 +216,7 @@ class Machine:
         self.write: Callable[[bytes], int] = _ignore
 
     def _drop_tracks(self) -> None:
-        """Vertices, and the current values beside the normal and the colour, begin anew."""
+        """Drop the vertices of the stream; set the current values that are in INITIAL to their initial values."""
         self.tracks = {name: [(0, value)] for name, value in INITIAL.items()}
         self._new_stream()
 
@@ -276,7 +277,10 @@ class Machine:
         self.relieve()
 
     def matrices(self) -> Matrices:
-        """What a Draw made now is transformed with."""
+        """The matrices on top of the stacks, for a Draw made now: modelview, projection, texture of unit 0.
+
+        The texture matrices of the other units follow if the program has ever used one.
+        """
         usual = self.modelview[-1], self.projection[-1], self.texture_stacks[0][-1]
         return usual if not self.several_texture_matrices else (*usual, *[s[-1] for s in self.texture_stacks[1:]])
 
@@ -323,7 +327,7 @@ class Machine:
                 self.device.execute(drawn)
 
     def complete(self) -> None:
-        """Flush, for somebody who wants the picture.  Raises GLError between glBegin and glEnd."""
+        """Flush before the framebuffer is read.  Raises GLError between glBegin and glEnd."""
         if self.inside is not None:
             raise invalid_operation(f"glBegin({self.inside!r}) has no glEnd yet")
         self.flush()

@@ -170,8 +170,10 @@ def ortho(left: float, right: float, bottom: float, top: float, near: float, far
 
 
 def inverse_transpose(matrices: Float32) -> Float32:
-    """Upper left 3x3 of the inverse of each (n, 4, 4), laid out so that row i of (n, 3, 3) is the i-th column of
-    the normal matrix; the matrix itself where it cannot be inverted."""
+    """The normal matrices of modelview matrices (n, 4, 4): (n, 3, 3), like these with the COLUMN as first index.
+
+    Each is the transpose of the inverse of the upper left 3x3 part; where that has no inverse, the part itself.
+    """
     upper = matrices[:, :3, :3].astype(np.float64)
     with np.errstate(all="ignore"):
         determinant = np.linalg.det(upper)

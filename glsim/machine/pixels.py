@@ -17,7 +17,8 @@ from glsim.machine.types import DTYPES, plain, raw_bytes
 
 Values = NDArray[Any]
 
-# format -> which component of the memory becomes red, green, blue, alpha; -1: 0, -2: 1
+# format -> (number of components in memory, index of the component that becomes red, green, blue and alpha).
+# Index -1: the value is 0; index -2: it is 1.
 COMPONENTS: dict[int, tuple[int, tuple[int, int, int, int]]] = {
     gl.GL_RED: (1, (0, -1, -1, -2)),
     gl.GL_GREEN: (1, (-1, 0, -1, -2)),
@@ -122,7 +123,7 @@ class PixelMode(NamedTuple):
 
 
 def check(format: int, type: int) -> None:
-    """Raises GLError for a format or type that is none, and for pairs that do not fit."""
+    """Raises GLError if OpenGL has no such format or type, or if the two cannot be combined."""
     if format not in COMPONENTS and format not in SINGLE:
         raise invalid_enum("format", format, FORMATS)
     if type not in DTYPES and type not in PACKED and type != gl.GL_BITMAP:
@@ -139,7 +140,7 @@ def check(format: int, type: int) -> None:
 def unpack(store: PixelStore, size: tuple[int, ...], format: int, type: int, pixels: Any) -> Values:
     """The components (*size, count) that lie in a program's memory; size: (height, width) or (depth, height, width).
 
-    Numbers keep their type; packed types and bitmaps come as float64 in [0, 1] and as 0 and 1.
+    The result has the number type of the memory; of a packed type float64 in [0, 1], of GL_BITMAP uint8, 0 or 1.
     """
     check(format, type)
     count = COMPONENTS[format][0] if format in COMPONENTS else 1
@@ -297,7 +298,7 @@ def as_unit(values: Values) -> NDArray[np.float64]:
 
 
 def as_bytes(rgba: Values) -> NDArray[np.uint8]:
-    """Colours of either kind as 8-bit numbers."""
+    """Colours, uint8 or floats in [0, 1], as uint8."""
     return rgba if rgba.dtype == np.uint8 else np.floor(_clamped(rgba) * 255.0 + 0.5).astype(np.uint8)
 
 

@@ -78,7 +78,10 @@ class Recorder:
         self.calls.append(Call(name, arguments, users_line(sys._getframe(2))))
 
     def changed(self, packets: list[Packet], first: int) -> None:
-        """Note the state if it is another, and which call the new Draws are from."""
+        """After a call: append a Moment to the history if the state changed; write the call's number into new packets.
+
+        packets, first: the machine's list of packets before the call, and its length at that time.
+        """
         number = len(self.calls) - 1
         later = [] if packets is self.machine.packets else self.machine.packets
         for made, start in ((packets, first), (later, 0)):
@@ -98,14 +101,17 @@ def moment(m: Machine, call: int) -> Moment:
     return Moment(call, m.snapshot(), m.material, tuple([s[-1] for s in stacks]), tuple([len(s) for s in stacks]))
 
 
-# Rooms of glsim that the user's line is not in, and its generated code.
+# Packages of glsim whose files users_line skips; it also skips generated code ("<gl command ...>").
 PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 INNER = tuple(os.path.join(PACKAGE, room, "") for room in ("gl", "glu", "glut", "machine", "play", "render", "study"))
 _inner: dict[str, bool] = {}
 
 
 def users_line(frame: Any) -> Where | None:
-    """The line of the user's program that is being executed; frame: the innermost to look at."""
+    """The line of the user's program that is being executed; None if there is none.
+
+    frame: the stack frame to begin with; the search goes from callee to caller.
+    """
     via = ""
     while frame is not None:
         code = frame.f_code
@@ -122,7 +128,7 @@ def users_line(frame: Any) -> Where | None:
 
 
 def _written(frame: Any) -> str:
-    """The call of a GLU or GLUT function; with its arguments if they are numbers."""
+    """The call of a GLU or GLUT function as text: its name; for GLU with the arguments, if all are int or float."""
     code, values = frame.f_code, frame.f_locals
     arguments = [values[name] for name in code.co_varnames[: code.co_argcount]]
     if code.co_name.startswith("glut") or not all(type(value) in (int, float) for value in arguments):
@@ -133,9 +139,9 @@ def _written(frame: Any) -> str:
 class ListRecorder:
     """Between glNewList and glEndList: collects the commands that belong into the list.
 
-    calls: (name, arguments) in order.  execute: GL_COMPILE_AND_EXECUTE.  Vertex arrays are copied when they are drawn
-    from: ``clients`` has the client state for those calls, by their position; ``stores`` in the same way how pixels lay
-    in memory.
+    calls: (name, arguments) in order.  execute: whether the mode is GL_COMPILE_AND_EXECUTE.  clients: position in
+    ``calls`` of a call that draws from vertex arrays -> a copy of the arrays at the time of the call.  stores: position
+    of a call that reads pixels -> the unpacking state of glPixelStore at that time.
     """
 
     def __init__(self, machine: Machine, number: int, execute: bool) -> None:
@@ -190,7 +196,7 @@ ARRAY_CALLS = {
 
 
 def copied(machine: Machine) -> dict[Any, Any]:
-    """Client state whose enabled arrays, in memory or in buffer objects, the program cannot change any more."""
+    """The state of the vertex arrays, with copies of the data of the enabled ones, from memory or buffer objects."""
 
     def keep(state: Any) -> Any:
         pointer = state.pointer

@@ -1,4 +1,4 @@
-"""From what Python, NumPy and ctypes raise in a call to a sentence that names the call and the argument."""
+"""Turns an exception of Python, NumPy or ctypes into an error message that names the gl call and the argument."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def explained(name: str, function: F) -> F:
     return call  # type: ignore[return-value]
 
 
-# annotation of an argument -> its kind; of an object, what makes it
+# annotation of an argument -> its kind; for an object of GLU, the name of the function that makes it
 ANNOTATED = {
     "float": "f", "int": "i", "bool": "boolean", "Quadric": "gluNewQuadric", "Nurbs": "gluNewNurbsRenderer",
     "Tessellator": "gluNewTess",
@@ -136,7 +136,7 @@ def is_a_sentence(error: Exception) -> bool:
 
 
 def _complaint(kind: str, value: object, count: int | None) -> str:
-    """What an argument of this type should have been; empty if the value will do.  count: how many numbers of it."""
+    """What an argument of this kind must be, such as "a number"; "" if ``value`` is one.  count: length of an array."""
     if not kind:
         return ""
     if kind in MADE_BY:

@@ -1,4 +1,4 @@
-"""A vertex's way to the screen on the CPU: what the raster position, selection and feedback need of it.
+"""Transformation and lighting of vertices on the CPU, for the raster position, selection and feedback.
 
 The same steps as in shaders/main.vert, in float64.
 """
@@ -21,9 +21,12 @@ Float = NDArray[np.float64]
 
 
 class Stage(NamedTuple):
-    """Vertices after transformation and lighting: eye and clip coordinates (n, 4); the lit point and the normal in
-    eye space (n, 3); current colours and colours of both sides (n, 4), highlight apart (n, 3); texture
-    coordinates by unit (n, 4)."""
+    """n vertices after transformation and lighting.
+
+    eye, clip: eye and clip coordinates (n, 4).  point, normal: the point at which the lighting equation is evaluated,
+    and the normal there, in eye coordinates (n, 3).  current: current colours (n, 4).  front, back: colours of the two
+    sides (n, 4).  highlight: secondary colour of the front side (n, 3).  texcoords: an array (n, 4) per texture unit.
+    """
 
     eye: Float
     clip: Float
@@ -36,7 +39,7 @@ class Stage(NamedTuple):
     texcoords: list[Float]
 
 
-@np.errstate(all="ignore")  # what is no number stays none, as on the GPU
+@np.errstate(all="ignore")  # NaN stays NaN, as on the GPU
 def vertex_stage(draw: Draw, chosen: NDArray[np.uint32], units: int, colors: bool = True) -> Stage:
     """The vertices ``chosen`` (numbers in the draw's block) as the GPU would have them, with the texture coordinates of
     the first ``units`` units; without ``colors`` they are not lit.
@@ -112,7 +115,10 @@ def _lit(draw: Draw, chosen: NDArray[np.uint32], side: int, N: Float, P: Float, 
 
 
 def surface(lighting: Lighting, side: int, materials: Sequence[Material], color: Float) -> tuple[Surface, Float]:
-    """One side of the materials of points, with what glColorMaterial takes from their current colours (n, 4); alpha."""
+    """The material of one side at n points as a Surface, and its diffuse alpha (n, 1).
+
+    color: current colours (n, 4); they replace the properties that glColorMaterial tracks.
+    """
     different = {id(material): material for material in materials}
     faces = [m.front if side == gl.GL_FRONT else m.back for m in different.values()]
     numbers = {key: number for number, key in enumerate(different)}
@@ -157,7 +163,7 @@ def shown(lighting: Lighting, terms: Illumination, alpha: Float) -> tuple[Float,
 
 
 def _generated(unit: TextureUnit, given: Float, P: Float, eye: Float, N: Float) -> Float:
-    """Texture coordinates (n, 4) with those that glTexGen makes."""
+    """Texture coordinates (n, 4): ``given``, with the coordinates that glTexGen generates in their place."""
     result = given.copy()
     u = shading.normalize(eye[:, :3] / eye[:, 3:])
     R = u - 2.0 * N * dot(N, u)

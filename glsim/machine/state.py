@@ -40,7 +40,7 @@ class Material(NamedTuple):
 
 
 class Light(NamedTuple):
-    """One light source.  Position and spot direction are in eye space, as glLight found them."""
+    """One light source.  Position and spot direction are in eye coordinates: glLight transforms them when called."""
 
     ambient: Color = BLACK
     diffuse: Color = BLACK
@@ -148,7 +148,7 @@ class PolygonStipple(NamedTuple):
 
 
 class Combine(NamedTuple):
-    """GL_COMBINE of a texture unit: functions, and the sources, operands and scales of their arguments."""
+    """GL_COMBINE of a texture unit: the functions, the sources and operands of their arguments, and result scales."""
 
     rgb: int = gl.GL_MODULATE
     alpha: int = gl.GL_MODULATE
@@ -161,7 +161,7 @@ class Combine(NamedTuple):
 
 
 class TexGen(NamedTuple):
-    """Generation of one texture coordinate; the eye plane is in eye space, as glTexGen found it."""
+    """Generation of one texture coordinate.  The eye plane is in eye coordinates: glTexGen transforms it at once."""
 
     mode: int = gl.GL_EYE_LINEAR
     object_plane: Color = (0.0, 0.0, 0.0, 0.0)
@@ -314,8 +314,11 @@ class RasterPosition(NamedTuple):
 
 
 class Evaluators(NamedTuple):
-    """Group GL_EVAL_BIT.  Enabled maps in the order of GL_MAP1_COLOR_4 and GL_MAP2_COLOR_4 and on; grids as
-    (steps, from, to) for each direction."""
+    """Group GL_EVAL_BIT.
+
+    enabled_1, enabled_2: for the nine maps from GL_MAP1_COLOR_4 and from GL_MAP2_COLOR_4 on, whether each is enabled.
+    grid_1: (steps, first u, last u).  grid_2: the same for u, then for v.
+    """
 
     enabled_1: tuple[bool, ...] = (False,) * 9
     enabled_2: tuple[bool, ...] = (False,) * 9
@@ -325,7 +328,7 @@ class Evaluators(NamedTuple):
 
 
 class Snapshot(NamedTuple):
-    """What a Draw or a Clear must know of the state: the groups of its time."""
+    """The groups of state that a Draw or a Clear needs, with the values at the time of its call."""
 
     lighting: Lighting
     transform: Transform

@@ -141,7 +141,7 @@ class Texture:
 
     @property
     def base_format(self) -> int:
-        """What the environment takes the texels for; depths are what GL_DEPTH_TEXTURE_MODE says."""
+        """The base internal format for the texture environment; of a depth texture GL_DEPTH_TEXTURE_MODE."""
         base = self.base
         assert base is not None
         return self.sampler.depth_mode if self.is_depth else base.base_format

@@ -1,4 +1,4 @@
-"""Number types: the suffix of a command, the constant of an array, the numpy type; and ctypes' numbers."""
+"""Number types: from the suffix of a command to the GL constant to the NumPy type; and values of ctypes."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def raw_bytes(value: Any) -> NDArray[np.uint8] | None:
 
 
 def fill(array: Any, values: Any) -> Any:
-    """``array``, which a program gave so that an answer is written into it, with the answer's numbers at its front."""
+    """Write ``values`` into the first elements of ``array``, a program's array for a result; return ``array``."""
     values = np.ravel(values)
     if isinstance(array, list):
         array[: len(values)] = values.tolist()
