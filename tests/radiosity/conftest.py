@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from importlib.util import find_spec
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,6 +14,16 @@ if TYPE_CHECKING:
 
 # Without the packages of glsim[radiosity] none of these files can be imported.
 collect_ignore_glob = [] if find_spec("numba") and find_spec("embreex") else ["test_*.py"]
+
+
+QUICK = {"test_bad_input.py", "test_patches.py", "test_solvers.py"}
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """What solves whole scenes is slow."""
+    for item in items:
+        if item.path.parent == Path(__file__).parent and item.path.name not in QUICK:
+            item.add_marker(pytest.mark.slow)
 
 
 @pytest.fixture(scope="package")
