@@ -178,7 +178,7 @@ class _Reader:
             "tuple": lambda *items: items,
             "list": lambda *items: list(items),
             "dict": lambda *items: dict(zip(items[::2], items[1::2], strict=True)),
-            "Enum": self._enum, "array": self._array, "bytes": self._bytes, "text": lambda text: text,
+            "Enum": self._enum, "bytes": self._bytes, "text": lambda text: text,
             "Matrix": _matrix, "Vertices": _vertices, "Draw": _draw, "Images": _images, "Query": _query,
             **{name: _builder(record) for name, record in RECORDS.items()},
         }  # fmt: skip

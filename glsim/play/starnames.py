@@ -20,13 +20,6 @@ from typing import Any
 from glsim.machine.constants import Enum
 
 
-@cache
-def later() -> dict[str, dict[str, Any]]:
-    """Of OpenGL after 1.5: "commands", name -> version ("" for an extension), and "constants", name -> number."""
-    content: dict[str, dict[str, Any]] = json.loads(Path(__file__).with_name("later.json").read_text())
-    return content
-
-
 class Later:
     """A command that came after OpenGL 1.5: false, so that programs can ask for it, and an error when it is called."""
 
@@ -41,15 +34,17 @@ class Later:
         raise RuntimeError(f"{self.__name__} {self.origin}; glsim emulates the fixed function of OpenGL 1.5")
 
 
+@cache
 def later_names() -> dict[str, Any]:
     """Commands and constants that came after OpenGL 1.5; glInitGl20VERSION() and the like tell a program so."""
+    later = json.loads(Path(__file__).with_name("later.json").read_text())
     content: dict[str, Any] = {}
-    for name, version in later()["commands"].items():
+    for name, version in later["commands"].items():  # "" instead of the version for an extension
         if name.startswith("glInit"):
             content[name] = (lambda: True) if name.startswith("glInitGl1") else (lambda: False)
         else:
             content[name] = Later(name, version)
-    content.update({name: Enum(name, value) for name, value in later()["constants"].items()})
+    content.update({name: Enum(name, value) for name, value in later["constants"].items()})
     return content
 
 
