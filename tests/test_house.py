@@ -17,14 +17,14 @@ import glsim
 GLSIM = Path(glsim.__file__).parent
 
 # A room is a folder of glsim, or a file beside the folders.  An arrow goes from who imports to who is imported.
-GROUND = {"glsim", "files", "names", "pictures", "version"}  # who may be imported by all
+GROUND = {"glsim", "files", "images", "metrics", "names", "pictures", "version"}  # who may be imported by all
 ARROWS = {
     "__main__": {"cli"},
-    "cli": {"machine", "play", "radiosity", "render", "scenes", "study"},
+    "cli": {"course", "machine", "play", "radiosity", "render", "scenes", "study", "testing", "web"},
     "lab": {"course", "study", "play", "web"},
-    "course": {"testing", "study", "radiosity", "play"},
-    "testing": {"play", "render"},
-    "study": {"radiosity", "play", "scenes", "render", "gl", "machine", "shading"},
+    "course": {"testing", "study", "web", "radiosity", "play", "scenes", "render", "gl", "machine", "shading"},
+    "testing": {"web", "play", "render", "machine"},
+    "study": {"web", "radiosity", "play", "scenes", "render", "gl", "machine", "shading"},
     "radiosity": {"play", "scenes", "render", "glu", "gl", "machine"},
     "web": {"render", "machine"},
     "play": {"scenes", "glut", "glu", "render", "gl", "machine"},
