@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 from glsim.version import __version__ as __version__
 
 if TYPE_CHECKING:
+    from glsim.course.source import source as source
     from glsim.machine.frame import Frame as Frame
     from glsim.play.capture import capture as capture
     from glsim.play.capture import program_source as program_source
@@ -45,6 +46,7 @@ _HOME = {
     "compare": "glsim.study.compare",
     "explain": "glsim.study.explain",
     "frame_of": "glsim.play.frames",
+    "source": "glsim.course.source",
     "Probe": "glsim.study.probe",
     "probe": "glsim.study.prober",
     "Terms": "glsim.study.terms",
