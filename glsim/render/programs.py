@@ -7,6 +7,8 @@ is the key; it is printed in front of the source as constants, and the compiler 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -294,6 +296,19 @@ def _unit_constants(units: tuple[UnitKind, ...]) -> list[str]:
 
 
 INCLUDE = re.compile(r'^#include "([\w.]+)"$')
+_replaced: dict[str, str] = {}  # files of shaders/ for which another text stands, and the text
+
+
+@contextmanager
+def shader_replaced(file: str, text: str) -> Iterator[None]:
+    """Within the block, contexts that are opened compile ``text`` instead of a file of shaders/."""
+    _replaced[file] = text
+    expand.cache_clear()
+    try:
+        yield
+    finally:
+        del _replaced[file]
+        expand.cache_clear()
 
 
 @lru_cache(maxsize=16)
@@ -309,8 +324,8 @@ def expand(name: str) -> tuple[str, tuple[str, ...]]:
         number = len(files) + 1  # 0 is the printed constants
         files.append(name)
         lines = [f"#line {1000 * number + 1}"]
-        path = data_folder("shaders") / name
-        for position, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        text = _replaced.get(name) or (data_folder("shaders") / name).read_text(encoding="utf-8")
+        for position, line in enumerate(text.splitlines(), 1):
             found = INCLUDE.match(line)
             if not found:
                 lines.append(line)
