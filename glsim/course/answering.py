@@ -15,6 +15,7 @@ import os
 import sys
 import traceback
 import types
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import Any
 
@@ -111,24 +112,34 @@ def failure(error: BaseException, path: str) -> dict[str, Any]:
     return {"error": f"{type(error).__name__}: {words}{hint}"[:SHOWN], "line": line_of(error, path)}
 
 
-def main(request: str, answers: str) -> None:
-    """Answer a request file."""
-    with open(request, encoding="utf-8") as file:
-        order = json.load(file)
+def answered(order: dict[str, Any]) -> dict[str, Any]:
+    """The answers to a request: {"answers": one for each ask, "printed": the end of what was printed, "cut": bool}."""
     tail = Tail()
-    sys.stdout = sys.stderr = tail
-    sys.argv = [order["file"]]
+    with redirect_stdout(tail), redirect_stderr(tail):
+        given = _given(order)
+    return {"answers": given, "printed": tail.text, "cut": tail.cut}
+
+
+def _given(order: dict[str, Any]) -> list[dict[str, Any]]:
     given: list[dict[str, Any]] = []
     try:
         module = loaded(order["file"])
     except BaseException as error:  # SystemExit too: the file must be usable as a module
-        given = [failure(error, order["file"])] * len(order["asks"])
-    for ask in order["asks"] if not given else ():
+        return [failure(error, order["file"])] * len(order["asks"])
+    for ask in order["asks"]:
         try:
             given.append({"value": ANSWERS[ask["kind"]](module, ask)})
         except BaseException as error:
             given.append(failure(error, order["file"]))
-    document = {"answers": given, "printed": tail.text, "cut": tail.cut}
+    return given
+
+
+def main(request: str, answers: str) -> None:
+    """Answer a request file."""
+    with open(request, encoding="utf-8") as file:
+        order = json.load(file)
+    sys.argv = [order["file"]]
+    document = answered(order)
     with open(answers, "w", encoding="utf-8") as file:
         json.dump(document, file)
 

@@ -51,8 +51,13 @@ def ask(exercise: Exercise, file: Path, isolation: Isolation, seconds: float = S
         shutil.copyfile(file, copy)
         if exercise.definition.program:
             return _drawn(copy, folder, isolation, seconds, len(parts))
-        asks = [_ask(part, number, folder, copy) for number, part in enumerate(parts)]
-        return _answered({"file": str(copy), "asks": asks}, folder, isolation, seconds)
+        return _answered(request_for(exercise, copy, folder), folder, isolation, seconds)
+
+
+def request_for(exercise: Exercise, file: Path, folder: Path) -> dict[str, Any]:
+    """What is asked of a file, as JSON.  folder: for the Frames that shaders are tried on."""
+    asks = [_ask(part, number, folder, file) for number, part in enumerate(exercise.definition.parts)]
+    return {"file": str(file), "asks": asks}
 
 
 def _ask(part: Part, number: int, folder: Path, copy: Path) -> dict[str, Any]:

@@ -40,7 +40,11 @@ def check(exercise: Exercise, file: Path, isolation: Isolation | None = None, se
     """Judge a student's file.  isolation: none for the student's own machine.  seconds: that the file may run.
 
     Raises FileNotFoundError if there is no such file."""
-    answers = ask(exercise, file, isolation or Separate(), seconds)
+    return judged(exercise, ask(exercise, file, isolation or Separate(), seconds))
+
+
+def judged(exercise: Exercise, answers: Answers) -> Result:
+    """The marks for a file's answers."""
     marks = tuple(
         _judge(exercise, part, answer, answers)
         for part, answer in zip(exercise.definition.parts, answers.values, strict=True)
@@ -82,3 +86,14 @@ def _alike(a: NDArray[np.uint8], b: NDArray[np.uint8]) -> bool:
     """At most 2/255 but for 0.05 % of the pixels, and no block of pixels that is brighter or darker as a whole."""
     far = (np.abs(a.astype(np.int16) - b).max(axis=2) > 2).mean()
     return bool(far <= 0.0005) and same_sign_blocks(a, b) == 0
+
+
+def side_by_side(expected: NDArray[np.uint8], actual: NDArray[np.uint8]) -> Image.Image:
+    """Expected picture, actual picture and 8 times their difference, labelled, in a row."""
+    from glsim.pictures import tiles
+
+    pictures = [("expected", expected), ("yours", actual)]
+    if expected.shape == actual.shape:
+        difference = np.abs(expected.astype(np.int16) - actual)
+        pictures.append(("8 times the difference", np.minimum(8 * difference, 255).astype(np.uint8)))
+    return tiles("", [pictures])

@@ -95,7 +95,7 @@ def unusable(value: Any, wanted: Numbers, name: str) -> str:
     except (TypeError, ValueError):
         return f"{name} must be numbers"
     if given.shape != wanted.shape and given.squeeze().shape != wanted.squeeze().shape:
-        return f"{name} gives {words(given.shape)}, and {words(wanted.shape)} is expected"
+        return f"{name} gives {words(given.shape)}; expected: {words(wanted.shape)}"
     if not np.isfinite(given).all() and np.isfinite(wanted).all():
         kind = "NaN" if np.isnan(given).any() else "infinity"
         return f"{name} gives {kind}: is there a division by 0, or a root of a negative number?"
@@ -125,7 +125,7 @@ def example(part: Call, expected: list[Numbers], actual: list[Numbers]) -> str:
     for arguments, wanted, value in zip(part.arguments, expected, actual, strict=True):
         if not agree([value], [wanted], part.tolerance):
             call = shown_call(part.function, arguments)
-            return f"{call} gives {shown_number(value)}, and {shown_number(wanted)} is expected."
+            return f"{call} gives {shown_number(value)}; expected: {shown_number(wanted)}"
     return ""
 
 
