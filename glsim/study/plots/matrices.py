@@ -75,7 +75,7 @@ def system_of(E: ArrayLike, M: ArrayLike, B: ArrayLike, *, title: str = "") -> P
     n = len(M)
     if M.shape != (n, n) or E.shape != (n,) or B.shape != (n,):
         raise ValueError("plots.system_of: E (n,), M (n, n) and B (n,) are needed")
-    parts = {"$E$": (E[:, None], 0.0), "$I - R\\,F$": (M, 2.4), "$B$": (B[:, None], n + 4.8)}
+    parts = {"$E$": (E[:, None], 0.0), "$I - R\\,F$": (M, 2.4), "$B$": (B[:, None], n + 4.1)}
 
     def draw(axes: Axes) -> None:
         for name, (values, left) in parts.items():
@@ -86,9 +86,9 @@ def system_of(E: ArrayLike, M: ArrayLike, B: ArrayLike, *, title: str = "") -> P
                 axes.text(left + k + 0.5, -0.3, str(k), ha="center", va="center", fontsize=11, color=FAINT)
             for k in range(n):
                 axes.text(left - 0.2, k + 0.5, str(k), ha="right", va="center", fontsize=11, color=FAINT)
-        for sign, x in (("$=$", 1.5), (r"$\cdot$", n + 3.7)):
+        for sign, x in (("$=$", 1.5), (r"$\cdot$", n + 3.0)):
             axes.text(x, n / 2.0, sign, ha="center", va="center", fontsize=26)
-        axes.set(xlim=(-0.6, n + 6.0), ylim=(n + 0.1, -1.5), title=title)
+        axes.set(xlim=(-0.6, n + 5.3), ylim=(n + 0.1, -1.5), title=title)
 
     words = f"{title or 'the linear system'}: {n} equations E = (I - R F) B with their numbers"
     return diagram(draw, words, (0.62 * (n + 6.6), 0.62 * (n + 1.8) + 0.3))
@@ -111,7 +111,8 @@ def _cells(axes: Axes, M: Float, log: bool, numbers: bool, left: float = 0.0) ->
     rows, columns = M.shape
     place = (left, left + columns, rows, 0.0)
     image = axes.imshow(M, cmap=colors, norm=norm, interpolation="nearest", aspect="equal", extent=place)
-    axes.plot([left, left + columns, left + columns, left, left], [0, 0, rows, rows, 0], color=FAINT, clip_on=False)
+    outline = [left, left + columns, left + columns, left, left], [0, 0, rows, rows, 0]
+    axes.plot(*outline, color=FAINT, linewidth=1.2, clip_on=False)
     axes.grid(False)
     for (row, column), value in np.ndenumerate(M) if numbers else ():
         r, g, b, _ = colors(norm(value))
