@@ -55,9 +55,7 @@ class Overlay:
         angle = atan2(end[1] - start[1], end[0] - start[0])
         neck = _between(start, end, 1.0 - 0.8 * head / length)
         self.line([start, neck], color, width)
-        wings = [
-            (end[0] - head * cos(angle + turn), end[1] - head * sin(angle + turn)) for turn in (-0.38, 0.38)
-        ]
+        wings = [(end[0] - head * cos(angle + turn), end[1] - head * sin(angle + turn)) for turn in (-0.38, 0.38)]
         self.strokes.append(Stroke([end, *wings], color, 1.0, filled=True))
 
     def ring(self, middle: Place, radius: float, color: RGB, width: float = 2.0) -> None:
@@ -113,7 +111,9 @@ class Overlay:
                     turn = 2.0 * pi * k / 16
                     x, y = at[0] + cos(turn) * (distance + w / 2.0), at[1] + sin(turn) * (distance + h / 2.0)
                     choices.append((x - w / 2.0, y - h / 2.0, x + w / 2.0, y + h / 2.0))
-            best = min(choices, key=lambda box: badness(box) + 0.02 * hypot(box[0] + w / 2 - at[0], box[1] + h / 2 - at[1]))
+            best = min(
+                choices, key=lambda box: badness(box) + 0.02 * hypot(box[0] + w / 2 - at[0], box[1] + h / 2 - at[1])
+            )
             taken.append(best)
             place = best[0] + 3.0 - left, best[1] + 3.0 - top
             pen.text(place, text, color, font, stroke_width=3, stroke_fill=(255, 255, 255))

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 Float = NDArray[np.float64]
 # Okabe & Ito's colours, as in glsim.plots
 COLORS = {"N": INK, "L": (230, 159, 0), "R": (0, 114, 178), "H": (204, 90, 160), "V": (0, 140, 100)}
-SMALLEST = 560  # pixels: smaller pictures are enlarged
+SMALLEST = 480  # pixels: smaller pictures are enlarged
 PANEL = 330  # pixels: width of the panel beside the picture
 LONG = 0.24  # length of the vectors, as a share of the picture
 
@@ -135,7 +135,8 @@ def _draw_vectors(
     if chosen.at != "fragment":  # the triangle, and where in it the pixel is
         corners = [view.at(np.array(v.eye[:3]) / v.eye[3]) for v in fragment.vertices]
         overlay.line([*corners, corners[0]], FAINT, 1.6)
-        for other in fragment.evaluations:
+        wide = max(float(np.hypot(*np.subtract(a, b))) for a, b in zip(corners, corners[1:], strict=False)) > 60.0
+        for other in fragment.evaluations if wide else ():
             if other is not chosen:
                 _arrow(overlay, view, other.P, shading.normalize(other.N), "N", "", 2.2)
         middle = ((probe.x + 0.5) * view.factor, (probe.y + 0.5) * view.factor)
@@ -198,7 +199,10 @@ def _angles(chosen: Evaluation, light: LightTerms) -> list[tuple[tuple[int, int,
     R, H = shading.reflection(N, L), shading.halfway(L, V)
     rows = [("L", "theta, N and L", "N·L", N, L), ("R", "phi, R and V", "R·V", R, V), ("H", "N and H", "N·H", N, H),
             ("V", "N and V", "N·V", N, V)]  # fmt: skip
-    return [(COLORS[name], f"{words}: {degrees(a, b):.1f}°,  {product} = {a @ b:.3f}") for name, words, product, a, b in rows]
+    return [
+        (COLORS[name], f"{words}: {degrees(a, b):.1f}°,  {product} = {a @ b:.3f}")
+        for name, words, product, a, b in rows
+    ]
 
 
 def _where(fragment: Fragment, chosen: Evaluation) -> str:

@@ -46,7 +46,9 @@ def matrix(
         assert axes.figure is not None
         axes.figure.colorbar(image, ax=axes, label=words, shrink=0.85).outline.set_visible(False)  # type: ignore[operator]
 
-    return plot(draw, f"{title or bar or 'a matrix'}: {M.shape[0]} x {M.shape[1]} values as colours", (side + 1.2, side))
+    return plot(
+        draw, f"{title or bar or 'a matrix'}: {M.shape[0]} x {M.shape[1]} values as colours", (side + 1.2, side)
+    )
 
 
 def form_factors(result: Any) -> Float:
