@@ -25,7 +25,7 @@ glEnable(GL_LIGHTING)
 glEnable(GL_LIGHT0)
 glLightModelfv(GL_LIGHT_MODEL_AMBIENT, [0, 0, 0, 1])
 glMaterialfv(GL_FRONT, GL_DIFFUSE, [0.9, 0.9, 0.85, 1])  # k_d
-glLightfv(GL_LIGHT0, GL_POSITION, [0, 0, 1, 0])  # w = 0: far away, in the direction of the eye
+glLightfv(GL_LIGHT0, GL_POSITION, [0, 0, 1, 0])  # w = 0: far away, at the eye
 
 for column, angle in enumerate((0, 60, 75)):
     glViewport(240 * column, 0, 240, 240)
