@@ -89,7 +89,7 @@ class Picture:
     points: int = 1
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)  # a part is itself alone: pictures are remembered for it
 class Shader:
     """A part in GLSL: a function of shaders/ whose body the student writes; the real shader is compiled with it.
 
