@@ -17,7 +17,7 @@ from glsim.render.programs import ProgramKey, draw_key, sources
 from glsim.render.specialise import specialised
 from glsim.render.uniforms import ATTENUATION, FACE, INTENSITIES, cos_spot_cutoff
 from glsim.study.provenance import BEFORE, History, Path, Provenance, value_at
-from glsim.study.text import call_text, enum_name, matrix_text, plain, value_text
+from glsim.study.text import as_json, call_text, enum_name, matrix_text, value_text
 
 LIGHTING = ("lighting",)
 
@@ -59,8 +59,8 @@ class Explanation:
 
     def as_dict(self) -> dict[str, Any]:
         return {
-            "draw": self.draw, "what": self.what, "where": plain(self.where), "key": plain(self.key),
-            "uniforms": plain(self.uniforms),
+            "draw": self.draw, "what": self.what, "where": as_json(self.where), "key": as_json(self.key),
+            "uniforms": as_json(self.uniforms),
         }  # fmt: skip
 
 

@@ -248,7 +248,7 @@ def _evaluations(one: Piece, sample: Sample, lit: Shaded) -> tuple[Evaluation, .
         Evaluation(
             at, float(weight), _floats(P), _floats(N),
             reflectances[0][row], reflectances[1][row], reflectances[2][row], float(np.asarray(face.n)[row, 0]),
-            _floats(lit.terms.emission[row]), _floats(lit.terms.glow[row]), lighting.ambient[:3],
+            _floats(lit.terms.emission[row]), _floats(lit.terms.ambient[row]), lighting.ambient[:3],
             tuple(_light(number, lighting.lights[number], light, row, vector)
                   for number, light in zip(enabled, lit.terms.lights, strict=True)),
             _floats(total[row]), _floats(np.clip(total[row], 0.0, 1.0)),

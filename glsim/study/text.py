@@ -69,12 +69,12 @@ def matrix_text(columns: Any) -> str:
     return "[" + "; ".join(" ".join(f"{value:.4g}" for value in row) for row in np.asarray(columns).T) + "]"
 
 
-def plain(value: Any) -> Any:
-    """Dataclasses and tuples -> dictionaries and lists; what is not finite becomes None."""
+def as_json(value: Any) -> Any:
+    """A result as what JSON can hold: dataclasses become dictionaries, tuples lists, infinite numbers and NaN None."""
     if is_dataclass(value):
-        return {entry.name: plain(getattr(value, entry.name)) for entry in fields(value)}
+        return {entry.name: as_json(getattr(value, entry.name)) for entry in fields(value)}
     if isinstance(value, Where):
         return value._asdict()
     if isinstance(value, (tuple, list)):
-        return [plain(entry) for entry in value]
+        return [as_json(entry) for entry in value]
     return None if isinstance(value, float) and not np.isfinite(value) else value
