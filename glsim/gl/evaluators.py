@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from glsim.gl.arguments import numbers
 from glsim.machine import constants as gl
+from glsim.machine.cache import cached
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
 from glsim.machine.frame import ROW, ROW_BYTES
-from glsim.machine.kept import kept
 from glsim.machine.machine import Machine
 from glsim.machine.types import plain
 
@@ -308,7 +308,7 @@ def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> No
         m.add_draw(gl.GL_QUADS if seen else gl.GL_TRIANGLES, rows, columns, _strips(len(p), len(q), seen))
 
 
-@kept(64 * 1024 * 1024)
+@cached(64 * 1024 * 1024)
 def _strips(nu: int, nv: int, quads: bool) -> NDArray[np.uint32]:
     """The strips of a filled mesh of nu x nv points: as quads that end in the strips' provoking vertices (the fourth
     of each), or as the triangles of triangle strips."""

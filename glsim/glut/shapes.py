@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from glsim import gl
 from glsim.machine.assembly import assemble
+from glsim.machine.cache import cached
 from glsim.machine.errors import show
-from glsim.machine.kept import kept
 
 Array = NDArray[np.float32]
 Indices = NDArray[np.int64]
@@ -53,7 +53,7 @@ def geometry(vertices: Array, normals: Array, *pieces: tuple[int, Indices], text
     return Shape(drawn[0], drawn[1], drawn[2], parts)  # type: ignore[arg-type]
 
 
-@kept(MEMORY)
+@cached(MEMORY)
 def _triangles(first: int, strips: int, size: int) -> NDArray[np.uint32]:
     """The triangles of triangle strips of ``size`` vertices each, in their order: one call instead of many."""
     pattern = assemble(gl.GL_TRIANGLE_STRIP, size, last=False)
@@ -159,7 +159,7 @@ def _rings(first: int, rings: int, slices: int) -> Indices:
     return first + np.arange(rings * slices).reshape(rings, slices)
 
 
-@kept(MEMORY)
+@cached(MEMORY)
 def _sphere(radius: float, slices: int, stacks: int, wire: bool) -> Shape:
     sine, cosine = (table[:-1] for table in _circle(-slices))
     ring, axis = (table[1:-1, None] for table in _circle(stacks, half=True))
@@ -188,7 +188,7 @@ def _sphere_arguments(name: str, radius: float, slices: int, stacks: int) -> tup
     return length(name, "radius", radius), *_pieces(name, "slices", slices, 1, "stacks", stacks, 2)
 
 
-@kept(MEMORY)
+@cached(MEMORY)
 def _cone(base: float, height: float, slices: int, stacks: int, wire: bool) -> Shape:
     sine, cosine = (table[:-1] for table in _circle(-slices))
     r, h = np.float32(base), np.float32(height)
@@ -226,7 +226,7 @@ def glutWireCone(base: float, height: float, slices: int, stacks: int) -> None:
     draw_geometry(_cone(*_tube_arguments("glutWireCone", "base", base, height, slices, stacks), True))
 
 
-@kept(MEMORY)
+@cached(MEMORY)
 def _cylinder(radius: float, height: float, slices: int, stacks: int, wire: bool) -> Shape:
     sine, cosine = (table[:-1] for table in _circle(-slices))
     r, h = np.float32(radius), np.float32(height)
@@ -262,7 +262,7 @@ def _tube_arguments(
     return *lengths, *_pieces(name, "slices", slices, 1, "stacks", stacks, 1)
 
 
-@kept(MEMORY)
+@cached(MEMORY)
 def _torus(inner: float, outer: float, sides: int, rings: int, wire: bool) -> Shape:
     sine, cosine = (table[:-1] for table in _circle(-sides))
     around_sine, around_cosine = (table[:-1, None] for table in _circle(rings))
@@ -367,7 +367,7 @@ SOLIDS = {
 }
 
 
-@kept(MEMORY)
+@cached(MEMORY)
 def _solid(name: str, wire: bool, size: float = 1.0) -> Shape:
     """Each face has corners of its own, with its normal."""
     shape = SOLIDS[name]
@@ -447,7 +447,7 @@ def glutWireRhombicDodecahedron() -> None:
 MOST_LEVELS = 10  # a million tetrahedra
 
 
-@kept(MEMORY)
+@cached(MEMORY)
 def _sponge(levels: int, offset: tuple[float, float, float], scale: float, wire: bool) -> Shape:
     """Tetrahedra; each of the ``levels`` replaces a tetrahedron by four of half the size at its corners."""
     size, middles = np.float32(scale), np.array([offset], np.float64)

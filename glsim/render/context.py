@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from glsim.files import write_atomically
 from glsim.machine import constants as gl
-from glsim.machine.current import Place, current_again, current_machine, here, make_current
+from glsim.machine.current import ThreadState, current_again, current_machine, make_current, this_thread
 from glsim.machine.frame import Packet
 from glsim.machine.interrupts import uninterrupted
 from glsim.machine.machine import Machine
@@ -54,13 +54,13 @@ class _Opened:
 
     def take(self) -> None:
         """Make the calling thread the owner; when that thread ends, the context has no owner."""
-        self.place: weakref.ref[Place] = weakref.ref(here())
-        self.farewell = weakref.finalize(here(), self._let_go, self.loader)
-        self.farewell.atexit = False
+        self.owner: weakref.ref[ThreadState] = weakref.ref(this_thread())
+        self.finalizer = weakref.finalize(this_thread(), self._let_go, self.loader)
+        self.finalizer.atexit = False
 
     def is_free(self) -> bool:
         """Whether the calling thread may use it: it is the owner, or the owner has ended."""
-        return self.place() in (None, here())
+        return self.owner() in (None, this_thread())
 
     @staticmethod
     def _let_go(loader: Any) -> None:
@@ -71,7 +71,7 @@ class _Opened:
         self._let_go(self.loader)
 
     def release(self) -> None:
-        self.farewell.detach()
+        self.finalizer.detach()
         with uninterrupted():
             self.loader.__enter__()
             self.ctx.release()  # releases the loader too
@@ -214,7 +214,7 @@ class Offscreen:
                 "a context can only be drawn with in the thread that made it: each thread opens its own, with"
                 " glsim.offscreen"
             )
-        if self._opened.place() is None:
+        if self._opened.owner() is None:
             self._opened.take()
 
     # ------------------------------------------------------------ what the machine asks of its device
