@@ -29,6 +29,7 @@ from glsim.gl.lists import numbers_called
 from glsim.machine import constants as gl
 from glsim.machine.commands import COMMANDS
 from glsim.machine.current import driving
+from glsim.machine.device import NoDevice
 from glsim.machine.errors import GLError
 from glsim.machine.frame import Call, Frame, Moment, Trail
 from glsim.machine.machine import MAX_LIST_NESTING, Machine
@@ -117,15 +118,11 @@ def value_at(state: Snapshot, material: Material, path: Path) -> Any:
     return value
 
 
-class _NullDevice:
-    width = height = 1
-
-
 class _Scratch:
     """Repeats calls on machines without a device, apart from the machine of the program."""
 
     def __init__(self) -> None:
-        self.machine = Machine(_NullDevice())  # type: ignore[arg-type]
+        self.machine = Machine(NoDevice())
 
     def sets(self, call: Call, before: Moment) -> list[Path]:
         """The pieces of state that a call sets, also to the value they have."""
@@ -139,7 +136,7 @@ class _Scratch:
 
     def at(self, before: Moment) -> Machine:
         """A new machine whose state, material and matrix stacks are those of ``before``."""
-        m = self._load(Machine(_NullDevice()), before.state, before.material)  # type: ignore[arg-type]
+        m = self._load(Machine(NoDevice()), before.state, before.material)
         stacks = (m.modelview, m.projection, *m.texture_stacks)
         for stack, matrix, depth in zip(stacks, before.matrices, before.depths, strict=True):
             stack[:] = [leaf(matrix.get())] * depth
@@ -346,4 +343,4 @@ def _run(machine: Machine, call: Call) -> None:
 
 
 NAMES = ("modelview", "projection", "texture0", "texture1", "texture2", "texture3")
-INITIAL = Snapshot._make(getattr(Machine(_NullDevice()), name) for name in Snapshot._fields)  # type: ignore[arg-type]
+INITIAL = Snapshot._make(getattr(Machine(NoDevice()), name) for name in Snapshot._fields)
