@@ -21,10 +21,10 @@ from glsim.render.batch import MOST_OBJECTS, Batch, Plan, plans
 from glsim.render.compile import BINDINGS, build
 from glsim.render.corestate import CoreState
 from glsim.render.gpu import GPU, Buffer, Commands, Program
+from glsim.render.key import ProgramKey, draw_key
 from glsim.render.lines import margin
 from glsim.render.outline import prepare
 from glsim.render.pixels import Fragments, Reader, as_fragments, merged_bitmaps
-from glsim.render.programs import ProgramKey, draw_key
 from glsim.render.source import INPUTS, Source
 from glsim.render.textures import Textures
 from glsim.render.uniforms import LIGHTS, RASTER, ROW_SIZE, TEXTURING

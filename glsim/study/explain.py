@@ -12,8 +12,9 @@ from glsim.machine.frame import Draw, Frame, Trail, Where
 from glsim.machine.matrix import multiply
 from glsim.play.frames import frame_of
 from glsim.render.batch import MOST_OBJECTS, plans
+from glsim.render.key import ProgramKey, draw_key
 from glsim.render.outline import prepare
-from glsim.render.programs import ProgramKey, draw_key, sources
+from glsim.render.programs import sources
 from glsim.render.specialise import specialised
 from glsim.render.uniforms import ATTENUATION, FACE, INTENSITIES, cos_spot_cutoff
 from glsim.study.provenance import BEFORE, History, Path, Provenance, value_at
