@@ -7,8 +7,8 @@ from glsim.glu.quadric import Quadric as GLUQuadric
 from glsim.glu.errors import GLUWarning as GLUWarning
 from glsim.machine.constants import Enum
 from glsim.glu.errors import GLUError as GLUerror
-from glsim.glu.nurbs import Nurbs as GLUnurbs
-from glsim.glu.nurbs import Nurbs as GLUnurbsObj
+from glsim.glu.nurbsobject import Nurbs as GLUnurbs
+from glsim.glu.nurbsobject import Nurbs as GLUnurbsObj
 from glsim.glu.quadric import Quadric as GLUquadric
 from glsim.glu.quadric import Quadric as GLUquadricObj
 from glsim.glu.tess import Tessellator as GLUtesselator
