@@ -25,6 +25,7 @@ from glsim.gl import (
     arrays,
     attrib,
     buffers,
+    drawarrays,
     enable,
     evaluators,
     fragment,
@@ -37,8 +38,11 @@ from glsim.gl import (
     raster,
     rasterpos,
     select,
+    texcompressed,
+    texcopy,
     texenv,
     teximage,
+    texread,
     texture,
     vertex,
 )
@@ -61,8 +65,8 @@ GLdouble_3, GLdouble_4, GLdouble_16 = GLdouble * 3, GLdouble * 4, GLdouble * 16
 
 
 _TOPICS = (
-    vertex, arrays, buffers, evaluators, matrix, light, raster, rasterpos, fragment, pixels, select, texture, teximage,
-    texenv, enable, attrib, lists, query,
+    vertex, arrays, drawarrays, buffers, evaluators, matrix, light, raster, rasterpos, fragment, pixels, select,
+    texture, teximage, texcopy, texcompressed, texread, texenv, enable, attrib, lists, query,
 )  # fmt: skip
 _BODIES = {
     name: body

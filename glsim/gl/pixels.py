@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from glsim.gl.arguments import numbers
-from glsim.gl.teximage import deliver
+from glsim.gl.texread import deliver
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Pixels

@@ -1,6 +1,6 @@
 """Texture objects and their parameters: section 3.8 of the specification.
 
-Images are in teximage.py, environments and texture coordinates in texenv.py.
+Images are in teximage.py, texcopy.py and texread.py, environments and texture coordinates in texenv.py.
 """
 
 from __future__ import annotations
