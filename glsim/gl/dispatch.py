@@ -102,7 +102,7 @@ def variant(command: Command, body: Function) -> Function:
     """The public function of one row of the table, from the body of its family."""
     family = FAMILIES[command.family]
     if (len(family) == 1 and not command.vector) or body.__name__ == command.name:
-        parameters = tuple(inspect.signature(body).parameters)[1:]
+        parameters = body.__code__.co_varnames[1 : body.__code__.co_argcount]
         return public(command, body, parameters, body.__defaults__)
     if command.result:  # PyOpenGL's last argument of a query: an array to fill
         return public(command, _adapt(command, body), (*command.parameters, "params"), (None,))
