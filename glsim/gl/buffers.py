@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.gl.naming import free_name, given_names, names_from, new_names
+from glsim.gl.naming import free_name, names_from, new_names, returned_names
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Query, QueryMark, Vertices
@@ -55,7 +55,7 @@ def glGenBuffers(m: Machine, n: int, buffers: Any = None) -> Any:
     """As PyOpenGL: one name for n = 1, an array of names for more; or into ``buffers``."""
     names = new_names(m, "buffers", n, m.objects.buffers.__contains__)
     m.objects.buffers.update(dict.fromkeys(names))
-    return given_names(names, buffers)
+    return returned_names(names, buffers)
 
 
 def glBindBuffer(m: Machine, target: int, buffer: int) -> None:
@@ -196,7 +196,7 @@ def glGenQueries(m: Machine, n: int, ids: Any = None) -> Any:
     """As PyOpenGL: one name for n = 1, an array of names for more; or into ``ids``."""
     names = new_names(m, "queries", n, m.objects.queries.__contains__)
     m.objects.queries.update(dict.fromkeys(names))
-    return given_names(names, ids)
+    return returned_names(names, ids)
 
 
 def glDeleteQueries(m: Machine, n: Any, ids: Any = None) -> None:

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from glsim.gl import immediate
-from glsim.gl.arguments import again, numbers, signed_colour
+from glsim.gl.arguments import numbers, retry, signed_colour
 from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
@@ -28,7 +28,7 @@ ERRORS = (GLError, MemoryError, *MISUSE)
 
 # `current` is a global of immediate.py: the machine.  The local name is not m, which is an argument of glLoadMatrixf.
 _TEMPLATE = """
-def bind(name, body, errors, again):
+def bind(name, body, errors, retry):
     def command({arguments}{rest}):
         machine = current
         if machine.{flag}:
@@ -36,7 +36,7 @@ def bind(name, body, errors, again):
         try:
             return body(machine{call})
         except errors as error:
-            return again(error, name, ({tuple}))
+            return retry(error, name, ({tuple}))
     return command
 """
 _binders: dict[tuple[int, bool, bool], Function] = {}
@@ -86,7 +86,7 @@ def public(command: Command, body: Function, parameters: tuple[str, ...], defaul
         made.__code__ = code.replace(co_varnames=("x", "y", "z", "surplus", ...), co_name="glTranslatef")
         glTranslatef(x=1.0, y=0.0, z=0.0)                  # so keywords, tracebacks and help() have the true names
     """
-    made = _binder(len(parameters), command.inside, command.name in EXACT)(command.name, body, ERRORS, again)
+    made = _binder(len(parameters), command.inside, command.name in EXACT)(command.name, body, ERRORS, retry)
     code = made.__code__
     made.__code__ = code.replace(
         co_name=command.name, co_varnames=(*parameters, *code.co_varnames[len(parameters) :]), co_qualname=command.name

@@ -33,7 +33,7 @@ class Map(NamedTuple):
     domain: tuple[float, ...]
 
 
-def _what(target: int, dimensions: int) -> int:
+def _map_number(target: int, dimensions: int) -> int:
     what = int(target) - (gl.GL_MAP1_COLOR_4 if dimensions == 1 else gl.GL_MAP2_COLOR_4)
     if not 0 <= what < 9:
         raise invalid_enum("target", target, f"a map such as GL_MAP{dimensions}_VERTEX_3")
@@ -72,7 +72,7 @@ def glMap1f(m: Machine, target: int, u1: float, u2: float, stride: Any, order: A
 
     points: (order, k) numbers.
     """
-    what = _what(target, 1)
+    what = _map_number(target, 1)
     k = COMPONENTS[what]
     if points is None:
         points = _shaped(stride)
@@ -97,7 +97,7 @@ def glMap2f(
 
     points: (uorder, vorder, k) numbers.
     """
-    what = _what(target, 2)
+    what = _map_number(target, 2)
     k = COMPONENTS[what]
     if points is None:
         points = _shaped(v1)
@@ -154,7 +154,7 @@ def bernstein_derivative(order: int, t: Float) -> Float:
     return result
 
 
-def _at(map: Map, places: tuple[Float, ...], grid: bool, derive: int | None = None) -> Float:
+def _evaluated(map: Map, places: tuple[Float, ...], grid: bool, derive: int | None = None) -> Float:
     """The map, or its derivative by u (0) or v (1), at some places: (n, k).  grid: at every u with every v."""
     bases = []
     for axis, t in enumerate(places):
@@ -183,7 +183,7 @@ def evaluate(
     vertex = maps.get(VERTEX_4, maps.get(VERTEX_3))
     if vertex is None:
         return None
-    P = _at(vertex, places, grid)
+    P = _evaluated(vertex, places, grid)
     rows = np.empty((len(P), ROW), np.float32)
     columns: dict[str, NDArray[np.float32]] = {}
     rows[:, :3] = P[:, :3]
@@ -192,12 +192,12 @@ def evaluate(
     if dimensions == 2 and m.evaluators.auto_normal:
         rows[:, 3:6] = _normals(vertex, P, places, grid)
     else:
-        rows[:, 3:6] = _at(maps[NORMAL], places, grid) if NORMAL in maps else (m.nx, m.ny, m.nz)
-    rows[:, 6:10] = _at(maps[COLOR], places, grid) if COLOR in maps else (m.red, m.green, m.blue, m.alpha)
+        rows[:, 3:6] = _evaluated(maps[NORMAL], places, grid) if NORMAL in maps else (m.nx, m.ny, m.nz)
+    rows[:, 6:10] = _evaluated(maps[COLOR], places, grid) if COLOR in maps else (m.red, m.green, m.blue, m.alpha)
     for what in (TEXTURE_4, TEXTURE_3, TEXTURE_2, TEXTURE_1):
         if what in maps:
             coordinates = np.tile(np.array([0.0, 0.0, 0.0, 1.0], np.float32), (len(rows), 1))
-            coordinates[:, : COMPONENTS[what]] = _at(maps[what], places, grid)
+            coordinates[:, : COMPONENTS[what]] = _evaluated(maps[what], places, grid)
             columns["texcoord0"] = coordinates
             break
     return rows, columns
@@ -212,7 +212,7 @@ def _default(what: int, dimensions: int) -> Map:
 
 def _normals(vertex: Map, P: Float, places: tuple[Float, ...], grid: bool) -> Float:
     """GL_AUTO_NORMAL: the unit vector along dP/du x dP/dv."""
-    du, dv = _at(vertex, places, grid, 0), _at(vertex, places, grid, 1)
+    du, dv = _evaluated(vertex, places, grid, 0), _evaluated(vertex, places, grid, 1)
     if P.shape[1] == 4:  # derivatives of x / w, but for a positive factor
         du, dv = (d[:, :3] * P[:, 3:] - P[:, :3] * d[:, 3:] for d in (du, dv))
     N = np.cross(du, dv)
@@ -324,7 +324,7 @@ def _strips(nu: int, nv: int, quads: bool) -> NDArray[np.uint32]:
 
 def glGetMap(m: Machine, target: int, query: int) -> tuple[float, ...]:
     dimensions = 1 if 0 <= target - gl.GL_MAP1_COLOR_4 < 9 else 2
-    what = _what(target, dimensions)
+    what = _map_number(target, dimensions)
     map: Map = m.objects.maps.get(target, _default(what, dimensions))
     if query == gl.GL_COEFF:
         return tuple(float(number) for number in map.points.ravel())

@@ -100,7 +100,7 @@ def _build(
     upload: Any = (gl.glTexImage1D, gl.glTexImage2D, gl.glTexImage3D)[len(size) - 1]
     number = np.uint8 if type in PACKED or np.dtype(DTYPES.get(type, np.uint8)).itemsize == 1 else np.float32
     machine = current_machine()
-    kept, machine.stores.unpack = machine.stores.unpack, PixelStore(alignment=1)
+    saved, machine.stores.unpack = machine.stores.unpack, PixelStore(alignment=1)
     try:
         for k in range(level, min(last, level + max(image.shape[:-1]).bit_length() - 1) + 1):
             if k >= base:
@@ -109,7 +109,7 @@ def _build(
                 upload(target, k, internalFormat, *image.shape[-2::-1], 0, format, kind, texels)
             image = scaled(image, tuple(max(length // 2, 1) for length in image.shape[:-1]))
     finally:
-        machine.stores.unpack = kept
+        machine.stores.unpack = saved
     return 0
 
 

@@ -29,7 +29,7 @@ def explain(error: Exception, name: str, arguments: Sequence[Any], kinds: Kinds 
     kinds: name and kind of each argument, of a function that has no row in the command table.  What the program itself
     raised, in a callback or in an object's __float__, stays as it is.
     """
-    if _of_the_program(error):
+    if _raised_by_program(error):
         return error
     if isinstance(error, GLError):
         return error.during(name, arguments) if kinds is None else error.within(name, arguments)
@@ -61,8 +61,8 @@ def explained(name: str, function: F) -> F:
         try:
             return function(*arguments, **options)
         except Exception as error:
-            made = explain(error, name, arguments, _kinds_of(function, len(arguments)))
-            if made is error and _of_the_program(error):
+            made = explain(error, name, arguments, _argument_kinds(function, len(arguments)))
+            if made is error and _raised_by_program(error):
                 raise
             raise made from None
 
@@ -77,7 +77,7 @@ ANNOTATED = {
 MADE_BY = {kind: annotation for annotation, kind in ANNOTATED.items() if kind.startswith("glu")}
 
 
-def _kinds_of(function: Callable[..., Any], count: int) -> Kinds:
+def _argument_kinds(function: Callable[..., Any], count: int) -> Kinds:
     """Name and kind of each argument, from its annotation."""
     pairs: list[tuple[str, str]] = []
     for word, parameter in signature(function).parameters.items():
@@ -107,7 +107,7 @@ def _is_glsim(code: CodeType) -> bool:
     return code.co_filename.startswith((PACKAGE, "<gl command"))
 
 
-def _of_the_program(error: Exception) -> bool:
+def _raised_by_program(error: Exception) -> bool:
     """Whether the program's own code, called by glsim, raised it."""
     for frame, _ in walk_tb(error.__traceback__):
         file = frame.f_code.co_filename

@@ -38,7 +38,7 @@ def exposed(patches: Patches, rays: Rays) -> Patches:
     hidden |= smaller
     under = np.flatnonzero(opposite)
     fronts, backs, unclear = count_faces(rays, patches.center[under], patches.normal[under])
-    hidden[under] |= (fronts == 0) & ((backs + unclear == RAYS) | _at_the_end(patches, under))
+    hidden[under] |= (fronts == 0) & ((backs + unclear == RAYS) | _faces_outwards(patches, under))
     if not hidden.any():
         return patches
     if np.average(hidden, weights=patches.area) > 0.9:
@@ -83,7 +83,7 @@ def count_faces(rays: Rays, points: Float, normals: Float) -> tuple[Int, Int, In
     return counts[0], counts[1], (~same).sum(axis=0)
 
 
-def _at_the_end(patches: Patches, chosen: Int) -> NDArray[np.bool_]:
+def _faces_outwards(patches: Patches, chosen: Int) -> NDArray[np.bool_]:
     """Return for each of the ``chosen`` patches whether the whole scene is behind its plane."""
     points = np.concatenate(patches.scene.polygons)
     to = np.array([(points @ direction).max() - middle @ direction for middle, direction in

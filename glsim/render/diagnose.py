@@ -20,7 +20,7 @@ def diagnose() -> dict[str, Any]:
     """
     from glsim.version import __version__
 
-    backends = [_try(name) for name in (*[name for name, _ in order("auto")], *_others())]
+    backends = [_try(name) for name in (*[name for name, _ in order("auto")], *_other_backends())]
     return {
         "glsim": __version__,
         "python": platform.python_version(),
@@ -33,10 +33,10 @@ def diagnose() -> dict[str, Any]:
     }
 
 
-def _others() -> list[str]:
+def _other_backends() -> list[str]:
     """Backends of this platform that the default order leaves out (because GLSIM_BACKEND names another)."""
-    here = ("egl", "osmesa", "x11") if sys.platform.startswith("linux") else ("native",)
-    return [name for name in here if name not in dict(order("auto"))]
+    backends = ("egl", "osmesa", "x11") if sys.platform.startswith("linux") else ("native",)
+    return [name for name in backends if name not in dict(order("auto"))]
 
 
 def _version(package: str) -> str:

@@ -151,7 +151,7 @@ class Renderer:
         self._write("Transforms", uniforms.transforms(objects), room)
         self._write("Materials", uniforms.materials(objects), room)
         for plan in todo:
-            source = self._kept(plan) if plan.instances else self._streamed(plan)
+            source = self._static_source(plan) if plan.instances else self._streamed_source(plan)
             for batch in plan.batches:
                 if batch.count:
                     self._draw_batch(batch, plan, source, pixels)
@@ -188,7 +188,7 @@ class Renderer:
             self.inputs[key] = [name for name in INPUTS if name in program]
         return self.programs[key]
 
-    def _streamed(self, plan: Plan) -> Source:
+    def _streamed_source(self, plan: Plan) -> Source:
         """The buffers that are written anew for each plan."""
         source = self.stream
         source.write("rows", plan.vertices.rows, self.busy)
@@ -198,7 +198,7 @@ class Renderer:
         source.columns.clear()
         return source
 
-    def _kept(self, plan: Plan) -> Source:
+    def _static_source(self, plan: Plan) -> Source:
         """The buffers of a display list: written once."""
         source = self.static.get(plan.vertices)
         if source is None:

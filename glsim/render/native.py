@@ -87,14 +87,14 @@ class Native:
         self.loader.make_current()
         try:
             self._reset()
-            kept: list[Any] = []  # arrays that pointers lead to
+            arrays: list[Any] = []  # arrays that pointers lead to
             inside = False
             for name, arguments, *_ in calls:
                 command = COMMANDS[name]
                 if command.result:
                     continue
                 for one, passed in c_calls(name, arguments):
-                    self._call(one, pass_on(COMMANDS[one], passed, kept))
+                    self._call(one, pass_on(COMMANDS[one], passed, arrays))
                 inside = name == "glBegin" or (inside and name != "glEnd")
                 code = 0 if inside else self.error()
                 if code and errors is not None:
@@ -203,7 +203,7 @@ ELEMENTS: dict[str, type] = {"textures": np.uint32, "buffers": np.uint32, "ids":
 BYTES = {("glBitmap", "data"), ("glPolygonStipple", "mask"), ("glEdgeFlagPointer", "pointer")}
 
 
-def pass_on(command: Command, arguments: Arguments, kept: list[Any]) -> Arguments:
+def pass_on(command: Command, arguments: Arguments, arrays: list[Any]) -> Arguments:
     """Python arguments of a recorded call -> what ctypes passes to the C function."""
     passed: list[Any] = []
     names = dict(zip(command.parameters, arguments, strict=False))
@@ -212,7 +212,7 @@ def pass_on(command: Command, arguments: Arguments, kept: list[Any]) -> Argument
             passed.append(value)  # an offset into a buffer object
         elif kind == "data":
             array = memory(value, _element(command, parameter, names.get("type")))
-            kept.append(array)
+            arrays.append(array)
             passed.append(array.ctypes.data)
         elif kind in ("f", "d"):
             passed.append(float(value))

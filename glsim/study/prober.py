@@ -72,7 +72,7 @@ class Prober:
                     if fragment is not None:
                         fragments.append(fragment)
             if isinstance(packet, (Clear, Accum, QueryMark)):
-                self.screen.execute([_at(packet, x, up)])
+                self.screen.execute([_at_pixel(packet, x, up)])
             if isinstance(packet, (Clear, Accum)):
                 where, after = _line(self.frame, packet), self._pixel(x, up)
                 events.append(Event(number, _name(packet), where, _covers(packet, x, up), after))
@@ -178,7 +178,7 @@ def _floats(values: Any) -> Numbers:
     return tuple(float(value) for value in np.ravel(values))
 
 
-def _at(packet: Clear | Accum | QueryMark, x: int, y: int) -> Packet:
+def _at_pixel(packet: Clear | Accum | QueryMark, x: int, y: int) -> Packet:
     """The packet at one pixel alone."""
     if isinstance(packet, QueryMark):
         return packet

@@ -134,7 +134,7 @@ class _Scratch:
         same = operator.is_
         return [*_paths(state, after, same), *_paths(material, m.material, same, ("material",))]
 
-    def at(self, before: Moment) -> Machine:
+    def machine_at(self, before: Moment) -> Machine:
         """A new machine whose state, material and matrix stacks are those of ``before``."""
         m = self._load(Machine(NoDevice()), before.state, before.material)
         stacks = (m.modelview, m.projection, *m.texture_stacks)
@@ -250,7 +250,7 @@ class History:
         """Follow the called display lists call by call.  A change that none of their calls explains is credited to the
         glCallList itself.  Yields a Step for each call in the lists; returns the paths whose values changed."""
         old = dict(self.provenance.setters)
-        machine = self.scratch.at(before)
+        machine = self.scratch.machine_at(before)
         for list_number in self._called_by(call):
             yield from self._inside(machine, number, list_number, ())
         paths = changed(before, after)
