@@ -22,8 +22,8 @@ GAP = (
     1e-5  # of the scene's size: rays begin and end so far in front of patches; what is nearer to a wall does not block
 )
 EXACT = 1e-6  # of the scene's size: the tolerance for corners that coincide and lie behind planes, see surface_of
-MAX_BODIES, MAX_PLANES = 48, 24  # in a scene, else it has no regions; of a region, else it is only a box
-MAX_POLYGONS = 4000
+MOST_BODIES, MOST_PLANES = 48, 24  # in a scene, else it has no regions; of a region, else it is only a box
+MOST_POLYGONS = 4000
 TOUCH = 1e-6  # of a line's length: a line with a shorter part inside a region counts as outside
 THIN = 1e-4  # of the scene's size: a thinner region is made a little thicker, and hides nothing by itself
 AT_ONCE = 1 << 12  # patches
@@ -106,17 +106,17 @@ def bodies_of(scene: Scene) -> Bodies | None:
     grouped by common corners.  The region of a group is bounded by a box aligned with the group's largest polygon and,
     if the group is a convex surface, by the planes of its polygons too.
     """
-    if len(scene.polygons) > MAX_POLYGONS:
+    if len(scene.polygons) > MOST_POLYGONS:
         return None
     points, size = np.concatenate(scene.polygons), scene.size
     inner = [polygon for polygon in scene.polygons if ((points - polygon[0]) @ normal_of(polygon)).min() < -GAP * size]
     groups = _connected(inner, THIN * size)
-    if len(groups) > MAX_BODIES:
+    if len(groups) > MOST_BODIES:
         return None
     planes, starts, solid = [np.zeros((0, 4))], [0], []
     for polygons in groups:
         normals, faces = _box_normals(polygons), surface_of(polygons, EXACT * size)
-        convex = faces is not None and len(normals) + len(faces) <= MAX_PLANES
+        convex = faces is not None and len(normals) + len(faces) <= MOST_PLANES
         if faces is not None and convex:
             normals = np.concatenate([normals, faces])
         inside = np.concatenate(polygons) @ normals.T
