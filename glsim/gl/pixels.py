@@ -12,21 +12,8 @@ from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Pixels
 from glsim.machine.machine import Machine
-from glsim.machine.pixels import (
-    INDEX_MAPS,
-    MAPS,
-    PACK_FIELDS,
-    UNPACK_FIELDS,
-    as_numbers,
-    check,
-    colors,
-    depths,
-    pack_colors,
-    pack_into,
-    stencils,
-    transferred,
-    unpack,
-)
+from glsim.machine.packing import as_numbers, check, pack_colors, pack_into, unpack
+from glsim.machine.pixels import INDEX_MAPS, MAPS, PACK_FIELDS, UNPACK_FIELDS, colors, depths, stencils, transferred
 from glsim.machine.types import DTYPES, fill, plain
 
 LARGEST_RECTANGLE = 16384

@@ -15,7 +15,8 @@ from glsim.gl.texture import bound, change
 from glsim.machine import constants as gl
 from glsim.machine.errors import GLError, invalid_enum, invalid_operation, invalid_value
 from glsim.machine.machine import Machine
-from glsim.machine.pixels import COMPONENTS, as_bytes, check, colors, depths, unpack
+from glsim.machine.packing import check, unpack
+from glsim.machine.pixels import COMPONENTS, as_bytes, colors, depths
 from glsim.machine.texture import (
     BASE_FORMATS,
     CUBE,

@@ -11,7 +11,8 @@ from glsim.gl.texture import bound
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
 from glsim.machine.machine import Machine
-from glsim.machine.pixels import COMPONENTS, as_numbers, check, pack_colors, transferred
+from glsim.machine.packing import as_numbers, check, pack_colors
+from glsim.machine.pixels import COMPONENTS, transferred
 from glsim.machine.texture import CUBE, Image, Texture
 from glsim.machine.types import DTYPES, fill
 

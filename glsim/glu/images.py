@@ -12,7 +12,8 @@ from glsim.glu.constants import NAMES
 from glsim.glu.errors import GLUError, one_of
 from glsim.machine.current import current_machine
 from glsim.machine.errors import GLError
-from glsim.machine.pixels import PACKED, PixelStore, as_numbers, as_unit, pack_into, unpack
+from glsim.machine.packing import PACKED, as_numbers, pack_into, unpack
+from glsim.machine.pixels import PixelStore, as_unit
 from glsim.machine.types import DTYPES
 
 # an error of OpenGL -> that of GLU

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from glsim.machine import constants as gl
 from glsim.machine.commands import COMMANDS, Command
 from glsim.machine.frame import Call
-from glsim.machine.pixels import PACKED
+from glsim.machine.packing import PACKED
 from glsim.machine.types import DTYPES, SUFFIXES, raw_bytes
 from glsim.render.device import one_line, opening
 from glsim.render.egl import EGLLoader
