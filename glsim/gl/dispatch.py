@@ -248,26 +248,26 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
     def draw_elements(gl_type: int) -> Function:
         return lambda mode, indices: functions["glDrawElements"](mode, np.size(indices), gl_type, indices)
 
-    made: dict[str, Function] = {}
+    typed: dict[str, Function] = {}
     for suffix, gl_type in SUFFIXES.items():
         for array in ("Vertex", "Color", "TexCoord", "SecondaryColor"):
-            made[f"gl{array}Pointer{suffix}"] = pointer(f"gl{array}Pointer", gl_type, True)
+            typed[f"gl{array}Pointer{suffix}"] = pointer(f"gl{array}Pointer", gl_type, True)
         for array in ("Normal", "Index"):
-            made[f"gl{array}Pointer{suffix}"] = pointer(f"gl{array}Pointer", gl_type, False)
+            typed[f"gl{array}Pointer{suffix}"] = pointer(f"gl{array}Pointer", gl_type, False)
         if suffix in ("ub", "us", "ui"):
-            made[f"glDrawElements{suffix}"] = draw_elements(gl_type)
+            typed[f"glDrawElements{suffix}"] = draw_elements(gl_type)
     for suffix, gl_type in SUFFIXES.items():
-        made[f"glReadPixels{suffix}"] = _typed_last(functions["glReadPixels"], gl_type, 5)
-        made[f"glGetTexImage{suffix}"] = _typed_last(functions["glGetTexImage"], gl_type, 3)
+        typed[f"glReadPixels{suffix}"] = _typed_last(functions["glReadPixels"], gl_type, 5)
+        typed[f"glGetTexImage{suffix}"] = _typed_last(functions["glGetTexImage"], gl_type, 3)
     for suffix, gl_type in SUFFIXES.items():
         for name, leading in (("glTexImage1D", 3), ("glTexImage2D", 3), ("glTexImage3D", 3), ("glTexSubImage1D", 3),
                               ("glTexSubImage2D", 4), ("glTexSubImage3D", 5), ("glDrawPixels", 0)):  # fmt: skip
-            made[f"{name}{suffix}"] = _typed_image(functions[name], gl_type, leading)
-    made["glEdgeFlagPointerb"] = lambda array: functions["glEdgeFlagPointer"](0, array)
-    made["glGetPolygonStippleub"] = lambda: np.frombuffer(functions["glGetPolygonStipple"](), np.uint8)
-    for name, function in made.items():
+            typed[f"{name}{suffix}"] = _typed_image(functions[name], gl_type, leading)
+    typed["glEdgeFlagPointerb"] = lambda array: functions["glEdgeFlagPointer"](0, array)
+    typed["glGetPolygonStippleub"] = lambda: np.frombuffer(functions["glGetPolygonStipple"](), np.uint8)
+    for name, function in typed.items():
         function.__name__ = function.__qualname__ = name
-    return {name: explained(name, _of_arrays(function)) for name, function in made.items()}
+    return {name: explained(name, _of_arrays(function)) for name, function in typed.items()}
 
 
 def _of_arrays(function: Function) -> Function:

@@ -222,10 +222,10 @@ def _normals(vertex: Map, P: Float, places: tuple[Float, ...], grid: bool) -> Fl
 
 def _vertex(m: Machine, *places: float) -> None:
     """One vertex between glBegin and glEnd; the current values stay."""
-    found = evaluate(m, *(np.array([float(t)]) for t in places))
-    if found is None or m.inside is None:
+    vertex = evaluate(m, *(np.array([float(t)]) for t in places))
+    if vertex is None or m.inside is None:
         return
-    rows, columns = found
+    rows, columns = vertex
     if "texcoord0" in columns:
         before = m.current["texcoord0"]
         m.set_current("texcoord0", tuple(columns["texcoord0"][0].tolist()))
@@ -273,9 +273,9 @@ def glEvalMesh1(m: Machine, mode: int, p1: int, p2: int) -> None:
     if mode not in (gl.GL_POINT, gl.GL_LINE):
         raise invalid_enum("mode", mode, "GL_POINT or GL_LINE")
     chosen = _range(m, p1, p2)
-    found = evaluate(m, _grid(*m.evaluators.grid_1, chosen)) if len(chosen) else None
-    if found is not None:
-        m.add_draw(gl.GL_POINTS if mode == gl.GL_POINT else gl.GL_LINE_STRIP, *found, None)
+    vertices = evaluate(m, _grid(*m.evaluators.grid_1, chosen)) if len(chosen) else None
+    if vertices is not None:
+        m.add_draw(gl.GL_POINTS if mode == gl.GL_POINT else gl.GL_LINE_STRIP, *vertices, None)
 
 
 def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> None:
@@ -287,10 +287,10 @@ def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> No
     if len(p) * len(q) > MOST_STEPS:
         raise invalid_value("the range of the mesh", (p1, p2, q1, q2), f"of at most {MOST_STEPS} points")
     grid = m.evaluators.grid_2
-    found = evaluate(m, _grid(*grid[:3], p), _grid(*grid[3:], q), grid=True)
-    if found is None:
+    vertices = evaluate(m, _grid(*grid[:3], p), _grid(*grid[3:], q), grid=True)
+    if vertices is None:
         return
-    rows, columns = found
+    rows, columns = vertices
     number = np.arange(len(p) * len(q)).reshape(len(p), len(q))  # of the grid point (p, q)
     if mode == gl.GL_LINE:
         lines: list[Any] = [*number.T, *number]

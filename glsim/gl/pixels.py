@@ -99,10 +99,10 @@ def glPixelMapusv(m: Machine, map: int, size: Any, values: Any = None) -> None:
 
 
 def _pixel_map(m: Machine, map: int, size: Any, values: Any, one: float) -> None:
-    given = numbers(size if values is None else values)
+    table = numbers(size if values is None else values)
     if map not in (gl.GL_PIXEL_MAP_I_TO_I, gl.GL_PIXEL_MAP_S_TO_S):
-        given = tuple(value / one for value in given)
-    glPixelMap(m, map, len(given) if values is None else int(size), given)
+        table = tuple(value / one for value in table)
+    glPixelMap(m, map, len(table) if values is None else int(size), table)
 
 
 def _check_map(map: int) -> None:
@@ -130,8 +130,8 @@ def _get_pixel_map(m: Machine, map: int, values: Any, one: float, dtype: type) -
     table = np.array(m.pixel.map(map), np.float64)
     if map not in (gl.GL_PIXEL_MAP_I_TO_I, gl.GL_PIXEL_MAP_S_TO_S):
         table = table * one
-    found: Any = table.astype(dtype)
-    return found if values is None else fill(values, found)
+    converted: Any = table.astype(dtype)
+    return converted if values is None else fill(values, converted)
 
 
 def glPixelZoom(m: Machine, zx: float, zy: float) -> None:

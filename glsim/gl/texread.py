@@ -57,8 +57,8 @@ def glGetTexLevelParameter(m: Machine, target: int, level: int, pname: int) -> t
     if pname == gl.GL_TEXTURE_DEPTH_SIZE:
         return (24 if image is not None and image.base_format == gl.GL_DEPTH_COMPONENT else 0,)
     if pname in SIZES:
-        has = image is not None and repr(image.base_format) in SIZES[pname].split()
-        return (8 if has else 0,)
+        has_component = image is not None and repr(image.base_format) in SIZES[pname].split()
+        return (8 if has_component else 0,)
     raise invalid_enum("pname", pname, "a parameter of an image such as GL_TEXTURE_WIDTH")
 
 

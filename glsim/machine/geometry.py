@@ -94,8 +94,8 @@ class Geometry:
             (m.red, m.green, m.blue, m.alpha) if self.takes_color else None,
             tuple(current[name] for name in self.no_column) if current else None,
         )
-        found = self.variants.get(key)
-        if found is None:
+        variant = self.variants.get(key)
+        if variant is None:
             if len(self.variants) >= MOST_VARIANTS:
                 self.variants.clear()
             rows = self.vertices.rows.copy()
@@ -104,8 +104,8 @@ class Geometry:
             columns = dict(self.vertices.columns)
             for name, missing in self.no_column.items() if current else ():
                 columns[name] = np.where(missing[:, None], np.array(current[name], np.float32), columns[name])
-            found = self.variants[key] = Vertices(rows, columns, [], static=True)
-        return found
+            variant = self.variants[key] = Vertices(rows, columns, [], static=True)
+        return variant
 
 
 def _indices(draw: Draw) -> NDArray[np.uint32]:

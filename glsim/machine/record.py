@@ -235,9 +235,9 @@ def frozen_arguments(name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
 
 def python_arguments(command: Command, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
     """The arguments of a call with Python's numbers instead of ctypes', and an array for a pointer of known length."""
-    given = tuple(map(plain, arguments))
-    wanted = [numbers_wanted(command, given, place) for place in range(min(len(command.arguments), len(given)))]
-    return (*map(plain, given, wanted), *given[len(wanted) :])
+    converted = tuple(map(plain, arguments))
+    wanted = [numbers_wanted(command, converted, place) for place in range(min(len(command.arguments), len(converted)))]
+    return (*map(plain, converted, wanted), *converted[len(wanted) :])
 
 
 def frozen(argument: Any) -> Any:

@@ -122,12 +122,12 @@ def end_family(ancestor: int, mark: str) -> None:
     """
     stopped: set[int] = set()
     for _ in range(100):  # a fork bomb needs several rounds
-        found = set(_family(ancestor, mark)) - stopped
-        if not found:
+        running = set(_family(ancestor, mark)) - stopped
+        if not running:
             break
-        for pid in found:
+        for pid in running:
             _signal(pid, signal.SIGSTOP)
-        stopped |= found
+        stopped |= running
     for pid in stopped:
         _signal(pid, signal.SIGKILL)
 

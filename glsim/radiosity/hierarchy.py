@@ -254,10 +254,10 @@ class _Refiner:
             halves[:, :, 1 - k] = pairs[only, 1 - k, None]
             parts.append(halves.reshape(-1, 2))
         both = pairs[uneven.all(axis=1)]
-        all_ = np.empty((len(both), 4, 4, 2), np.int64)
-        all_[..., 0] = self.tree.child[both[:, 0], None, None] + four[:, None]
-        all_[..., 1] = self.tree.child[both[:, 1], None, None] + four
-        return _blocks(np.concatenate([*parts, all_.reshape(-1, 2)]))
+        quarters = np.empty((len(both), 4, 4, 2), np.int64)
+        quarters[..., 0] = self.tree.child[both[:, 0], None, None] + four[:, None]
+        quarters[..., 1] = self.tree.child[both[:, 1], None, None] + four
+        return _blocks(np.concatenate([*parts, quarters.reshape(-1, 2)]))
 
 
 def _blocks(pairs: Int) -> list[Int]:

@@ -25,7 +25,7 @@ def diagnose() -> dict[str, Any]:
         "glsim": __version__,
         "python": platform.python_version(),
         "platform": f"{platform.system()} {platform.release()} {platform.machine()}",
-        "packages": {name: found for name in PACKAGES if (found := _version(name))},
+        "packages": {name: installed for name in PACKAGES if (installed := _version(name))},
         "backends": backends,
         "devices": _devices() if sys.platform.startswith("linux") else [],
         "native fixed function": _native(),
@@ -67,13 +67,13 @@ def _devices() -> list[dict[str, Any]]:
     """The EGL devices, by the index that ``backend="egl:N"`` takes."""
     from glsim.render.egl import count_devices
 
-    found = []
+    devices = []
     for index in range(count_devices()):
         try:
-            found.append({"index": index, **_describe("egl", index)})
+            devices.append({"index": index, **_describe("egl", index)})
         except Exception as error:
-            found.append({"index": index, "renderer": f"does not open: {one_line(error)}", "version": ""})
-    return found
+            devices.append({"index": index, "renderer": f"does not open: {one_line(error)}", "version": ""})
+    return devices
 
 
 def _native() -> dict[str, Any]:

@@ -144,13 +144,13 @@ class Renderer:
 
     def draw(self, draws: Sequence[Draw], pixels: Fragments | None = None) -> None:
         """Draw primitives.  pixels: what the fragments take from a rectangle of pixels."""
-        objects, todo = plans(list(prepare(draws)), self.limit)
+        objects, drawing_plans = plans(list(prepare(draws)), self.limit)
         if not objects:
             return  # every polygon is culled, or none is complete
         room = (len(objects) + self.limit) * ROW_SIZE  # a block always has `limit` rows, wherever it begins
         self._write("Transforms", uniforms.transforms(objects), room)
         self._write("Materials", uniforms.materials(objects), room)
-        for plan in todo:
+        for plan in drawing_plans:
             source = self._static_source(plan) if plan.instances else self._streamed_source(plan)
             for batch in plan.batches:
                 if batch.count:

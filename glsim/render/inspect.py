@@ -125,15 +125,15 @@ class Inspector:
         if isinstance(packet, Pixels):
             read: Reader = self.screen._reread
             for rectangle in as_fragments(packet, (self.screen.width, self.screen.height), read):
-                whole = _alone(rectangle.draw, assembled(rectangle.draw))
-                yield Piece(number, whole, 3, 3, None, rectangle)
+                quad = _alone(rectangle.draw, assembled(rectangle.draw))
+                yield Piece(number, quad, 3, 3, None, rectangle)
         elif isinstance(packet, Draw):
             for part in prepare([packet]):
                 for draw in separate(part, self.renderer.limit):
                     chosen, kind = assembled(draw), corners(draw.mode)
                     size = 6 if kind == 2 and widened(draw.state) else kind
-                    own = draw.block is packet.block
-                    source = chosen.reshape(-1, kind) - np.uint32(packet.first) if own else None
+                    same_block = draw.block is packet.block
+                    source = chosen.reshape(-1, kind) - np.uint32(packet.first) if same_block else None
                     if len(chosen):
                         yield Piece(number, _alone(draw, chosen), kind, size, source)
 

@@ -49,12 +49,12 @@ class Native:
     def __init__(self, width: int, height: int, backends: Sequence[str] = ("egl", "osmesa")) -> None:
         self.width, self.height = width, height
         opening()
-        said = []
+        failures = []
         for name in backends:
             try:
                 self.loader: Any = LOADERS[name](core=False, width=width, height=height)
             except Exception as error:
-                said.append(f"{name}: {one_line(error)}")
+                failures.append(f"{name}: {one_line(error)}")
                 continue
             self.backend = name
             self.functions: dict[str, Any] = {}
@@ -63,9 +63,9 @@ class Native:
             if self._is_compatibility():
                 self.loader.release_current()
                 return
-            said.append(f"{name}: {self.version} has no fixed function")
+            failures.append(f"{name}: {self.version} has no fixed function")
             self.loader.release()
-        raise NoNativeError("no native fixed function: " + "; ".join(said))
+        raise NoNativeError("no native fixed function: " + "; ".join(failures))
 
     def _string(self, name: int) -> str:
         address = self.loader.load("glGetString")

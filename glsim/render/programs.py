@@ -122,11 +122,11 @@ def expand(name: str) -> tuple[str, tuple[str, ...]]:
         lines = [f"#line {1000 * number + 1}"]
         path = data_folder("shaders") / name
         for position, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            found = INCLUDE.match(line)
-            if not found:
+            include = INCLUDE.match(line)
+            if not include:
                 lines.append(line)
-            elif found[1] not in files:
-                lines += [*read(found[1]), f"#line {1000 * number + position + 1}"]
+            elif include[1] not in files:
+                lines += [*read(include[1]), f"#line {1000 * number + position + 1}"]
             else:
                 lines.append("")
         return lines

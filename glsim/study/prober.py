@@ -162,8 +162,8 @@ def _shading(lit: Shaded, piece: Piece, back: bool) -> str:
     names = {"provoking": "flat: the equation at the provoking vertex",
              "vertex": "Gouraud: the equation at the vertices, colours interpolated",
              "fragment": "Phong: normals interpolated, the equation at the fragment"}  # fmt: skip
-    turned = ", back side: N turned round" if lighting.two_side and back and piece.corners == 3 else ""
-    return names[lit.where] + turned
+    side = ", back side: N turned round" if lighting.two_side and back and piece.corners == 3 else ""
+    return names[lit.where] + side
 
 
 def _covers(packet: Clear | Accum, x: int, y: int) -> bool:

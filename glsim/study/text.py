@@ -19,8 +19,8 @@ def call_text(call: Call) -> str:
     """A call as it would be written, at most a line."""
     via = f"{call.where.via}: " if call.where is not None and call.where.via else ""
     kinds = [kind for _, kind in COMMANDS[call.name].arguments]
-    given = zip(call.arguments, [*kinds, *[""] * len(call.arguments)], strict=False)
-    words = ", ".join(_argument(argument, kind) for argument, kind in given if argument is not None)
+    pairs = zip(call.arguments, [*kinds, *[""] * len(call.arguments)], strict=False)
+    words = ", ".join(_argument(argument, kind) for argument, kind in pairs if argument is not None)
     if call.name == "glClear":
         names = [repr(bit) for bit in BUFFER_BITS if int(call.arguments[0]) & bit]
         words = " | ".join(names) or words
