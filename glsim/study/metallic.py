@@ -34,12 +34,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.machine.state import Light
+from glsim.machine.state import Face, Light
 
 Float = NDArray[np.float64]
 RGB = tuple[float, float, float]
 
 DIELECTRIC = 0.04  # F_0 of what is no metal: glTF 2.0, appendix B
+MAX_N = 128.0  # GL_SHININESS
 
 
 class Metal(NamedTuple):
@@ -72,7 +73,7 @@ def metal(
 
     glow: the sum of the terms that depend on no direction, E + k_a (I_a + ...).
     """
-    d, s = np.clip(k_d, 0.0, None), np.clip(k_s, 0.0, 1.0)
+    d, s = np.clip(k_d, 0.0, None), np.clip(k_s, 0.0, None)
     strength = max(_brightness(s), 1e-9)
     alpha_2 = min(max(2.0 / (n + 2.0), DIELECTRIC / (4.0 * strength)), 1.0)
     F_0 = np.clip(4.0 * alpha_2 * s, 0.0, 0.98)
@@ -85,6 +86,22 @@ def metal(
         base = base + (from_specular - base) * m * m
     r, g, b = (base / max(1.0, float(base.max()))).tolist()
     return Metal((r, g, b, alpha), m, float(alpha_2**0.25), glow)
+
+
+def face(material: Metal) -> Face:
+    """The way back: k_d, k_s and n for a metallic-roughness material, with n <= 128.
+
+    k_a is the base colour, which pyrender multiplies with the scene's ambient light.
+    """
+    base, m = np.array(material.base[:3], np.float64), material.metallic
+    alpha_2 = max(max(material.roughness, DIELECTRIC) ** 4, 2.0 / (MAX_N + 2.0))
+    F_0 = DIELECTRIC * (1.0 - m) + m * base
+    k_d = (1.0 - F_0) * (1.0 - DIELECTRIC) * (1.0 - m) * base
+    k_s = np.clip(F_0 / (4.0 * alpha_2), 0.0, 1.0)
+    alpha = material.base[3]
+    return Face(
+        (*_rgb(base), alpha), (*_rgb(k_d), alpha), (*_rgb(k_s), 1.0), (*material.glow, 1.0), 2.0 / alpha_2 - 2.0
+    )
 
 
 def _brightness(rgb: Float) -> float:
@@ -138,6 +155,14 @@ def cone(cutoff: float, exponent: float) -> tuple[float, float]:
     if inner > 1.0:
         return 0.0, float(np.arccos((half - np.sqrt(0.5)) / (1.0 - np.sqrt(0.5))))
     return float(np.arccos(inner)), float(np.arccos(outer))
+
+
+def exponent(inner: float, outer: float) -> float:
+    """The way back: GL_SPOT_EXPONENT with half of the intensity at the same angle; angles in radians."""
+    half = np.cos(outer) + np.sqrt(0.5) * (np.cos(inner) - np.cos(outer))
+    if inner >= outer or half <= 0.0:
+        return 0.0
+    return float(min(np.log(0.5) / np.log(half), 128.0))
 
 
 def _rgb(values: Float) -> RGB:

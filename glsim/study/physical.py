@@ -115,7 +115,7 @@ def _piece(draw: Draw) -> _Piece:
         points = stage.eye[:, :3] / stage.eye[:, 3:]
     k = corners(draw.mode)
     rings = places.reshape(-1, k)
-    whole: NDArray[np.bool_] = np.isfinite(points).all(axis=1)
+    whole = np.asarray(np.isfinite(points).all(axis=1))
     normals = np.where(np.isfinite(stage.normal), stage.normal, 0.0)
     normals[~normals.any(axis=1)] = (0.0, 0.0, 1.0)  # no direction: a physically based shader would divide by zero
     return _Piece(draw, chosen.astype(np.uint32), rings[whole[rings].all(axis=1)], stage, points, normals)
@@ -195,8 +195,8 @@ def _noted(row: Float, notes: Notes) -> Metal:
     base = np.array(material.base[:3])
     F_0 = DIELECTRIC + material.metallic * (base - DIELECTRIC)
     diffuse = (1.0 - F_0) * (1.0 - DIELECTRIC) * (1.0 - material.metallic) * base
-    kept = float(diffuse.max()) / max(*k_d, 1e-9)
-    if max(k_d) > 0.0 and kept < 0.99:
+    kept = float(diffuse.sum()) / max(sum(k_d), 1e-9)
+    if base.max() > 0.9999 and kept < 0.99:
         name = ", ".join(f"{value:.3g}" for value in k_d)
         notes[f"the material with k_d = ({name}) would reflect more light than arrives: its base colour is scaled down,"
               f" and its diffuse light is {kept:.0%} of OpenGL's"] = None  # fmt: skip

@@ -43,6 +43,7 @@ from numpy.typing import NDArray
 from glsim.machine.frame import Frame
 from glsim.study.physical import physical
 from glsim.study.pyrender_child import Job
+from glsim.study.pyrender_scene import Drawing, drawing
 
 Pixels = NDArray[np.uint8]
 
@@ -93,6 +94,16 @@ def is_scene(what: Any) -> bool:
     """Whether this is a pyrender.Scene; pyrender is not imported for that."""
     pyrender = sys.modules.get("pyrender")
     return pyrender is not None and isinstance(what, pyrender.Scene)
+
+
+def scene_of(scene: Any) -> Drawing:
+    """A function of gl commands, without arguments, that draws a pyrender.Scene as large as the viewport.
+
+    Its ``notes`` are sentences about what could not be converted.  Raises ValueError if the scene has no camera.
+    """
+    if not is_scene(scene):
+        raise TypeError(f"a pyrender.Scene is needed, not {scene!r:.80}")
+    return drawing(scene)
 
 
 def _pickled(scene: Any) -> bytes:
