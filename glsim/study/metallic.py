@@ -7,12 +7,15 @@ OpenGL's equation shows I_d k_d (N.L) + I_s k_s (N.H)^n.  glTF's metallic-roughn
 
 with Schlick's F, Smith's G with k = (roughness + 1)^2 / 8 (Karis: Real Shading in Unreal Engine 4, 2013), and the GGX
 distribution D with alpha = roughness^2 (Walter et al.: Microfacet Models for Refraction, 2007).  The conversion makes
-both equations agree where N = L = V = H, and the highlight equally wide:
+both equations agree where N = L = V = H:
 
     I = pi I_d            because a Lambert surface reflects c / pi of the irradiance
     alpha^2 = 2 / (n + 2)           Walter et al., section 5.2; roughness = sqrt(alpha)
     F_0 = 4 alpha^2 k_s             so that pi F_0 D / 4 is k_s; D is 1 / (pi alpha^2) at N = H
     c_diff = k_d / (1 - F_0)
+
+With this alpha the core of GGX's highlight is narrower than that of (N.H)^n, with half of the height at 0.77 of the
+angle, and its tails are longer: no alpha makes the two curves equal.
 
 A dielectric has F_0 >= 0.04.  Where k_s asks for less, the highlight keeps its height and becomes wider.  metallic and
 base then follow from F_0 and c_diff as in Khronos's conversion of specular-glossiness materials
@@ -97,11 +100,8 @@ def face(material: Metal) -> Face:
     alpha_2 = max(max(material.roughness, DIELECTRIC) ** 4, 2.0 / (MAX_N + 2.0))
     F_0 = DIELECTRIC * (1.0 - m) + m * base
     k_d = (1.0 - F_0) * (1.0 - DIELECTRIC) * (1.0 - m) * base
-    k_s = np.clip(F_0 / (4.0 * alpha_2), 0.0, 1.0)
-    alpha = material.base[3]
-    return Face(
-        (*_rgb(base), alpha), (*_rgb(k_d), alpha), (*_rgb(k_s), 1.0), (*material.glow, 1.0), 2.0 / alpha_2 - 2.0
-    )
+    k_s, a = F_0 / (4.0 * alpha_2), material.base[3]
+    return Face((*_rgb(base), a), (*_rgb(k_d), a), (*_rgb(k_s), 1.0), (*material.glow, 1.0), 2.0 / alpha_2 - 2.0)
 
 
 def _brightness(rgb: Float) -> float:

@@ -6,10 +6,10 @@ also draws a pyrender.Scene as it is, and ``scene_of`` makes a function of gl co
 a comparison.
 
 What agrees with OpenGL: geometry, camera, culling, two-sided materials, what is unlit, ambient and emitted light,
-directional lights, diffuse light, place, height and width of the highlight seen along the normal.  What does not, and
-cannot: at grazing angles Fresnel's law makes the highlight brighter and diffuse light darker; every surface reflects at
-least 4 %, also where k_s is 0; metals tint the highlight in their base colour; there are no shadows here, as OpenGL has
-none.  What else differs for a given Frame is said in sentences (``note``).
+directional lights, diffuse light, the highlight's place, and its height seen along the normal.  What does not, and
+cannot: the highlight has a narrower core and longer tails (GGX); at grazing angles Fresnel's law makes it brighter and
+diffuse light darker; every surface reflects at least 4 %, also where k_s is 0; metals tint the highlight in their base
+colour.  Shadows are off, as OpenGL has none.  What else differs for a given Frame is said in sentences (``note``).
 
 Colours: OpenGL 1.x shows the numbers of its equation as they are.  pyrender computes the same kind of numbers and, as
 the last step of its shader, raises them to the power 1 / 2.2 for the screen.  To compare one equation with the other,

@@ -45,11 +45,16 @@ def import_pyrender() -> Any:
 def draw(jobs: list[Job], folder: Path) -> None:
     """Draw each job into ``folder``."""
     pyrender = import_pyrender()
+    from OpenGL import GL
+
     pyrender.renderer.MAX_N_LIGHTS = 8  # as many of each kind as OpenGL has
     for number, job in enumerate(jobs):
         pyrender.offscreen.Renderer = renderer(pyrender, job, shaders(pyrender, folder, job.encoded))
         scene = prepared(job)
         screen = pyrender.OffscreenRenderer(job.width, job.height)
+        most = int(GL.glGetIntegerv(GL.GL_MAX_SAMPLES))
+        if job.samples > most:
+            raise ValueError(f"samples must be at most {most} in pyrender's context, not {job.samples}")
         try:
             pixels, _ = screen.render(scene)
         finally:
@@ -91,9 +96,6 @@ def renderer(pyrender: Any, job: Job, shader_folder: str | None) -> Any:
                 GL.glViewport(*around.viewport)
 
     def storage(target: int, _: int, *rest: int) -> None:
-        most = int(GL.glGetIntegerv(GL.GL_MAX_SAMPLES))
-        if job.samples > most:
-            raise ValueError(f"samples must be at most {most} in pyrender's context, not {job.samples}")
         GL.glRenderbufferStorageMultisample(target, job.samples, *rest)
 
     pyrender.renderer.glRenderbufferStorageMultisample = storage

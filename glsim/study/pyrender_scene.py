@@ -51,7 +51,7 @@ class Drawing:
         for number, node in enumerate(_brightest(scene)):
             _light(gl.GL_LIGHT0 + number, node.light, scene.get_pose(node))
         eye = scene.get_pose(camera)[:3, 3]
-        for node in scene.mesh_nodes:
+        for node in _farthest_first(scene, eye):
             for primitive in node.mesh.primitives if node.mesh.is_visible else ():
                 for pose in (np.eye(4),) if primitive.poses is None else primitive.poses:
                     model = scene.get_pose(node) @ pose
@@ -80,10 +80,22 @@ def _notes(scene: Any) -> Iterator[str]:
 
 
 def _brightest(scene: Any) -> list[Any]:
-    """The nodes of the lights that are drawn, in the scene's order."""
-    nodes = list(scene.light_nodes)
-    order = sorted(range(len(nodes)), key=lambda k: -nodes[k].light.intensity * float(max(nodes[k].light.color)))
-    return [nodes[k] for k in sorted(order[:MAX_LIGHTS])]
+    """The nodes of the lights that are drawn, the brightest first: pyrender keeps them in no order."""
+
+    def key(node: Any) -> tuple[float, list[float]]:
+        return -node.light.intensity * float(max(node.light.color)), scene.get_pose(node).ravel().tolist()
+
+    return sorted(scene.light_nodes, key=key)[:MAX_LIGHTS]
+
+
+def _farthest_first(scene: Any, eye: Float) -> list[Any]:
+    """The nodes of the meshes as pyrender draws them: opaque ones first, then by the distance of their origins."""
+
+    def key(node: Any) -> tuple[bool, float, list[float]]:
+        pose = scene.get_pose(node)
+        return node.mesh.is_transparent, -float(np.linalg.norm(pose[:3, 3] - eye)), pose.ravel().tolist()
+
+    return sorted(scene.mesh_nodes, key=key)
 
 
 def _load(matrix: Any) -> None:
@@ -117,17 +129,18 @@ def _draw(primitive: Any, ambient: Any, eye: Float) -> None:
 
     material, side = primitive.material, gl.GL_FRONT_AND_BACK
     look = face(_metal(material))
-    colors, k_a = primitive.color_0, np.array(look.ambient)
+    colors = primitive.color_0
     if colors is not None and not np.ptp(colors, axis=0).any():  # one colour, a factor of everything
-        factor = np.array(colors[0], np.float64)
-        look, colors = Face(*(tuple((c * factor).tolist()) for c in look[:4]), look.shininess), None  # type: ignore[arg-type]
+        r, g, b, a = colors[0].tolist()
+        k_a, k_d, k_s, emission = ((x * r, y * g, z * b, w * a) for x, y, z, w in look[:4])
+        look, colors = Face(k_a, k_d, k_s, emission, look.shininess), None
     gl.glMaterialfv(side, gl.GL_AMBIENT, look.ambient)
     gl.glMaterialfv(side, gl.GL_DIFFUSE, look.diffuse)
     gl.glMaterialfv(side, gl.GL_SPECULAR, look.specular)
     gl.glMaterialfv(side, gl.GL_EMISSION, look.emission)
     gl.glMaterialf(side, gl.GL_SHININESS, look.shininess)
     if colors is not None:  # glColorMaterial makes k_a = k_d, so the ambient light takes what k_a has more
-        ambient = np.array(ambient) * k_a[:3] / np.maximum(look.diffuse[:3], 1e-6)
+        ambient = np.array(ambient) * look.ambient[:3] / np.maximum(look.diffuse[:3], 1e-6)
         gl.glColorMaterial(side, gl.GL_AMBIENT_AND_DIFFUSE)
         gl.glEnable(gl.GL_COLOR_MATERIAL)
         gl.glEnableClientState(gl.GL_COLOR_ARRAY)
