@@ -1,0 +1,1 @@
+if (!customElements.get("glsim-compare")) customElements.define("glsim-compare", class extends HTMLElement {});
