@@ -33,11 +33,19 @@ class Browser:
         program = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
         driver = shutil.which("chromedriver")
         if not program or not driver:
-            raise NoBrowserError("chromium and chromedriver are needed; on Debian: apt install chromium chromium-driver")
+            raise NoBrowserError(
+                "chromium and chromedriver are needed; on Debian: apt install chromium chromium-driver"
+            )
         os.environ["SE_OFFLINE"] = "true"
         options = Options()
         options.binary_location = program
-        for flag in ("headless=new", "no-sandbox", "disable-dev-shm-usage", "hide-scrollbars", "force-device-scale-factor=1"):
+        for flag in (
+            "headless=new",
+            "no-sandbox",
+            "disable-dev-shm-usage",
+            "hide-scrollbars",
+            "force-device-scale-factor=1",
+        ):
             options.add_argument(f"--{flag}")
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=Service(driver))

@@ -23,7 +23,7 @@ from glsim.metrics import metrics
 
 SCRIPTS = ("png.js", "stage.js", "controls.js", "hands.js", "viewer.js", "compare.js")
 MANY = 4  # strips: a page with more has a table of contents
-IMAGE = "max-width: 100%; height: auto"
+FITTING = "max-width: 100%; height: auto"
 LABELS = {"max": "Max", "mean": "Mean", "rmse": "RMSE", "different": "Different", "ssim": "SSIM", "flip": "FLIP"}
 MEANINGS = {
     "max": "largest difference of a channel, 0 to 255",
@@ -74,7 +74,7 @@ def element(strip: Strip) -> str:
 
     Raises ValueError for a strip without pictures, or with a picture that is not (height, width, 3 or 4) uint8.
     """
-    return f"{_strip(strip, 'h3')}\n{_script()}\n"
+    return _encodable(f"{_strip(strip, 'h3')}\n{_script()}\n")
 
 
 def page(title: str, strips: Sequence[Strip], about: str = "") -> str:
@@ -88,7 +88,7 @@ def page(title: str, strips: Sequence[Strip], about: str = "") -> str:
         f'<section id="strip-{number}">\n{_strip(strip, "h2")}\n</section>' for number, strip in enumerate(ordered, 1)
     )
     paragraphs = "\n".join(f"<p>{escape(text)}</p>" for text in about.split("\n\n") if text.strip())
-    return f"""<!doctype html>
+    return _encodable(f"""<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
@@ -112,7 +112,7 @@ def page(title: str, strips: Sequence[Strip], about: str = "") -> str:
 {_script()}
 </body>
 </html>
-"""
+""")
 
 
 # The page itself forbids requests: pictures are data, script and style stand in it.
@@ -179,7 +179,8 @@ def _figure(strip: Strip, picture: Picture) -> str:
     alt = escape(f"{strip.title}: {picture.name}" + (f", {picture.caption}" if picture.caption else ""))
     height, width = pixels.shape[:2]
     return (
-        f'<figure><img loading="lazy" decoding="async" width="{width}" height="{height}" style="{IMAGE}" alt="{alt}" src="{uri}">'
+        f'<figure><img loading="lazy" decoding="async" width="{width}" height="{height}" style="{FITTING}" '
+        f'alt="{alt}" src="{uri}">'
         f"<figcaption><b>{escape(picture.name)}</b> {escape(picture.caption)}</figcaption></figure>"
     )
 
@@ -226,6 +227,11 @@ def _number(key: str, value: float) -> str:
     if key == "different":
         return f"{100 * value:.3g} %"
     return f"{value:.0f}" if float(value).is_integer() else f"{value:.4g}"
+
+
+def _encodable(text: str) -> str:
+    """Without halves of surrogate pairs, which names of files can contain and no file of UTF-8 can."""
+    return text.encode("utf-8", "replace").decode("utf-8")
 
 
 def _json(data: object) -> str:
