@@ -1,0 +1,1 @@
+"""Pages for a browser: offline, one file each, nothing fetched."""
