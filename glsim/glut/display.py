@@ -121,6 +121,7 @@ class Shown:
             self.program = self.ctx.program(vertex_shader=VERTEX, fragment_shader=FRAGMENT)
             self.triangle = self.ctx.vertex_array(self.program, [])
         self.buttons: set[int] = set()
+        self.pointer = (0, 0)  # where the last event found it
         self.popup: Popup | None = None
         self._listen()
 
@@ -166,8 +167,8 @@ class Shown:
         glfw.set_scroll_callback(self.handle, self._scrolled)
 
     def _at(self) -> tuple[int, int]:
-        x, y = self.glfw.get_cursor_pos(self.handle)
-        return int(x), int(y)
+        """Where the pointer was at the last event; glfw.get_cursor_pos tells where it has gone since."""
+        return self.pointer
 
     def _fire(self, kind: str, *arguments: Any) -> None:
         self.loop.fire(self.window, kind, *arguments)
@@ -225,7 +226,8 @@ class Shown:
         self._fire("Mouse", number, int(NAMES["GLUT_DOWN" if down else "GLUT_UP"]), *self._at())
 
     def _moved(self, handle: Any, x: float, y: float) -> None:
-        self._fire("Motion" if self.buttons else "PassiveMotion", int(x), int(y))
+        self.pointer = int(x), int(y)
+        self._fire("Motion" if self.buttons else "PassiveMotion", *self.pointer)
 
     def _scrolled(self, handle: Any, dx: float, dy: float) -> None:
         if "MouseWheel" in self.window.callbacks:
