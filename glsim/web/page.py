@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from glsim.metrics import metrics
 
+SCRIPTS = ("png.js", "stage.js", "hands.js", "compare.js")
 MANY = 4  # strips: a page with more has a table of contents
 LABELS = {"max": "Max", "mean": "Mean", "rmse": "RMSE", "different": "Different", "ssim": "SSIM", "flip": "FLIP"}
 MEANINGS = {
@@ -202,7 +203,8 @@ def _table(strip: Strip) -> str:
         else:
             cells = "".join(f"<td>{_number(key, row[key]) if key in row else ''}</td>" for key in keys)
         body.append(f"<tr>{name}{cells}</tr>")
-    return f'<table><thead><tr><th scope="col">Against {escape(strip.pictures[strip.reference].name)}</th>{heads}</tr></thead><tbody>{"".join(body)}</tbody></table>'
+    against = f'<th scope="col">Against {escape(strip.pictures[strip.reference].name)}</th>'
+    return f"<table><thead><tr>{against}{heads}</tr></thead><tbody>{''.join(body)}</tbody></table>"
 
 
 def _against(reference: Picture, picture: Picture) -> dict[str, float] | None:
@@ -232,7 +234,8 @@ def _json(data: object) -> str:
 
 def _script() -> str:
     """The custom element's code in a function of its own, after its style as the text CSS."""
-    return f'<script>(() => {{\n"use strict";\nconst CSS = {_json(_file("compare.css"))};\n{_file("compare.js")}}})();\n</script>'
+    code = "".join(_file(name) for name in SCRIPTS)
+    return f'<script>(() => {{\n"use strict";\nconst CSS = {_json(_file("compare.css"))};\n{code}}})();\n</script>'
 
 
 @cache
