@@ -113,7 +113,7 @@ class Comparison:
         if not self.has_difference(row, column):
             return []
         values = self.numbers(row, column)
-        return [f"difference x{self.amplified}", f"max {values['max']:.0f}, mean {values['mean']:.2f}",
+        return [f"difference x{self.amplified}", f"max {values['max']:.0f}", f"mean {values['mean']:.2f}",
                 f"SSIM {values['ssim']:.3f}"]  # fmt: skip
 
     # ------------------------------------------------------------ showing and saving

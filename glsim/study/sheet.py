@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,10 +20,10 @@ Pixels = NDArray[np.uint8]
 Color = tuple[int, int, int]
 
 EMPTY: Color = (238, 238, 235)
-DIFFERENCE = 0.3  # height of a difference, as a share of its picture's
+SHARE = 0.3  # of a difference: its height under a picture, or its width beside it, as a share of the picture's
 # Page and size of text in pixels: 16:9 for a projector, A4 at 300 dpi for paper; None: as large as the pictures are.
 LAYOUTS: dict[str, tuple[tuple[int, int], int] | None] = {
-    "screen": None, "projector": ((1920, 1080), 26), "paper": ((2480, 3508), 44),
+    "screen": None, "projector": ((1920, 1080), 25), "paper": ((2480, 3508), 44),
 }  # fmt: skip
 
 
@@ -77,16 +77,17 @@ def plain(text: str) -> str:
 class Grid:
     """Where things are on a sheet, in pixels, for pictures of width x height.
 
-    text: size of headings.  band: height of the differences under the pictures.  heads: lines over the columns."""
+    text: size of headings.  differences: "under" the pictures, "beside" them or "" for none.  heads: lines over the
+    columns, below their names.  labelled: whether rows have labels."""
 
     columns: int
     rows: int
     width: int
     height: int
     text: int
-    differences: bool
-    heads: int
+    differences: str
     labelled: bool
+    heads: int = 0
 
     @property
     def gap(self) -> int:
@@ -97,13 +98,37 @@ class Grid:
         return max(0.8 * self.text, 10.0)
 
     @property
-    def band(self) -> int:
-        return max(round(DIFFERENCE * self.height), round(4.4 * self.small)) if self.differences else 0
+    def line(self) -> int:
+        """The height of a small line."""
+        return round(1.45 * self.small)
+
+    @property
+    def words(self) -> tuple[int, int]:
+        """Room for the numbers of a difference."""
+        return round(7.2 * self.small), 4 * self.line
+
+    @property
+    def difference(self) -> tuple[int, int]:
+        """Room for the picture of a difference."""
+        if self.differences == "beside":
+            return max(round(SHARE * self.width), self.words[0]), max(self.height - self.words[1] - self.gap // 2, 8)
+        height = min(max(round(SHARE * self.height), self.words[1]), self.height)
+        return round(height * self.width / self.height), height
+
+    @property
+    def cell(self) -> tuple[int, int]:
+        """Room for a picture and its difference."""
+        width, height = self.difference
+        if self.differences == "beside":
+            return self.width + self.gap // 2 + width, self.height
+        if self.differences == "under":
+            return max(self.width, width + self.gap + self.words[0]), self.height + self.gap // 2 + max(height, self.words[1])
+        return self.width, self.height
 
     @property
     def column(self) -> int:
-        """The width of a column: room for its heading beside tiny pictures."""
-        return max(self.width, 8 * self.text)
+        """The width of a column: tiny pictures leave room for a heading."""
+        return max(self.cell[0], 8 * self.text)
 
     @property
     def left(self) -> int:
@@ -111,43 +136,44 @@ class Grid:
 
     @property
     def top(self) -> int:
-        return round(self.gap + 1.9 * self.text + 1.6 * self.text + 1.45 * self.small * self.heads + 0.5 * self.gap)
+        return round(1.5 * self.gap + 3.5 * self.text) + self.line * self.heads
 
-    @property
-    def block(self) -> int:
-        """The height of a row."""
-        return self.height + (self.gap // 2 + self.band if self.differences else 0) + self.gap
+    def corner(self, column: int, row: int) -> tuple[int, int]:
+        """The upper left corner of a cell."""
+        space = self.gap + (self.gap if self.differences == "beside" else 0)
+        return self.left + column * (self.column + space), self.top + row * (self.cell[1] + self.gap)
 
     @property
     def size(self) -> tuple[int, int]:
-        return self.left + self.columns * (self.column + self.gap), self.top + self.rows * self.block
+        x, y = self.corner(self.columns - 1, self.rows)
+        return x + self.column + self.gap, y
 
 
-def _grid(comparison: Comparison, width: int, height: int, text: int) -> Grid:
+def _grid(comparison: Comparison, width: int, height: int, text: int, where: str = "under") -> Grid:
     columns, rows = comparison.columns.values, comparison.rows.values
-    small, room = max(0.8 * text, 10.0), max(width, 8 * text)
-    lines = [_head(comparison, column, small, room) for column in columns]
-    differences = bool(comparison.amplified) and len(columns) > 1
-    labelled = any(row.label for row in rows)
-    return Grid(len(columns), len(rows), width, height, text, differences, max(map(len, lines)), labelled)
+    differences = where if comparison.amplified and len(columns) > 1 else ""
+    grid = Grid(len(columns), len(rows), width, height, text, differences, any(row.label for row in rows))
+    return replace(grid, heads=max(len(_head(comparison, column, grid)) for column in columns))
 
 
-def _head(comparison: Comparison, column: Value, small: float, room: int) -> list[Image.Image]:
-    """What stands under a column's heading: the user's caption, then the formula."""
-    own = comparison.captions.get(column.name, "")
-    words = [(own, INK), (column.formula, FAINT)]
-    return [line for text, color in words if text for line in fitted(text, small, room, color)]
+def _head(comparison: Comparison, column: Value, grid: Grid) -> list[Image.Image]:
+    """What stands under a column's name: the user's caption, then the formula."""
+    words = [(comparison.captions.get(column.name, ""), INK), (column.formula, FAINT)]
+    return [line for text, color in words if text for line in fitted(text, grid.small, grid.column, color)]
 
 
-def _largest(comparison: Comparison, page: tuple[int, int], text: int, width: int, height: int) -> Grid:
-    """The grid with the largest pictures that fits a page."""
-    ratio, share = height / width, 1.0
-    while True:
-        wide = max(int(page[0] * share), 16)
-        grid = _grid(comparison, wide, max(round(wide * ratio), 1), text)
-        if (grid.size[0] <= page[0] and grid.size[1] <= page[1]) or wide == 16:
-            return grid
-        share *= 0.985
+def _largest(comparison: Comparison, page: tuple[int, int], text: int, ratio: float) -> Grid:
+    """The grid with the largest pictures that fits a page.  ratio: of the pictures' height to their width."""
+    grids = []
+    for where in ("under", "beside"):
+        width = page[0]
+        while width > 16:
+            grid = _grid(comparison, width, max(round(width * ratio), 1), text, where)
+            if grid.size[0] <= page[0] and grid.size[1] <= page[1]:
+                break
+            width = int(0.985 * width)
+        grids.append(grid)
+    return max(grids, key=lambda grid: grid.width)
 
 
 # ---------------------------------------------------------------- drawing
@@ -160,14 +186,14 @@ def draw_sheet(comparison: Comparison) -> Image.Image:
     if layout is None:
         return _drawn(comparison, _grid(comparison, width, height, max(12, min(width, 640) // 24)))
     page, text = layout
-    grid = _largest(comparison, page, text, width, height)
-    if comparison.layout == "paper" and grid.size[1] < page[1] / 2:  # lying, or half a page, wastes less
-        lying = _largest(comparison, page[::-1], text, width, height)
-        grid, page = (lying, page[::-1]) if lying.width > 1.15 * grid.width else (grid, page)
+    grid = _largest(comparison, page, text, height / width)
+    if comparison.layout == "paper":  # it lies where that gives more room
+        lying = _largest(comparison, page[::-1], text, height / width)
+        grid, page = (lying, page[::-1]) if lying.width > grid.width else (grid, page)
     sheet = Image.new("RGB", page, PAPER)
     drawn = _drawn(comparison, grid)
-    up = (page[1] - drawn.height) // 2 if comparison.layout == "projector" else min(page[1] - drawn.height, 2 * text)
-    sheet.paste(drawn, ((page[0] - drawn.width) // 2, max(up, 0)))
+    up = page[1] - drawn.height
+    sheet.paste(drawn, ((page[0] - drawn.width) // 2, max(min(up // 2, 2 * text), 0)))
     return sheet
 
 
@@ -175,22 +201,19 @@ def _drawn(comparison: Comparison, grid: Grid) -> Image.Image:
     sheet = Image.new("RGB", grid.size, PAPER)
     _title(sheet, comparison, grid)
     for k, column in enumerate(comparison.columns.values):
-        x = grid.left + k * (grid.column + grid.gap)
-        y = round(grid.gap + 1.9 * grid.text)
-        lines = [*fitted(column.label, 1.1 * grid.text, grid.column)[:1],
-                 *_head(comparison, column, grid.small, grid.column)]  # fmt: skip
-        for line in lines:
-            sheet.paste(line, (x + (grid.column - line.width) // 2, y))
-            y += round(1.45 * grid.small) if line is not lines[0] else round(1.6 * grid.text)
+        x, y = grid.corner(k, 0)[0], round(grid.gap + 1.9 * grid.text)
+        name = fitted(column.label, 1.1 * grid.text, grid.column)[0]
+        sheet.paste(name, (x + (grid.column - name.width) // 2, y))
+        for number, line in enumerate(_head(comparison, column, grid)):
+            below = y + round(1.6 * grid.text) + number * grid.line
+            sheet.paste(line, (x + (grid.column - line.width) // 2, below))
     for k, row in enumerate(comparison.rows.values):
-        y = grid.top + k * grid.block
         if row.label:
             label = fitted(comparison.captions.get(row.name, row.label), grid.text, grid.height)[0]
             turned = label.rotate(90, expand=True)
-            sheet.paste(turned, (grid.gap, y + max(0, (grid.height - turned.height) // 2)))
+            sheet.paste(turned, (grid.gap, grid.corner(0, k)[1] + max(0, (grid.height - turned.height) // 2)))
         for number, column in enumerate(comparison.columns.values):
-            x = grid.left + number * (grid.column + grid.gap)
-            _cell(sheet, comparison, (row.name, column.name), grid, (x, y))
+            _cell(sheet, comparison, (row.name, column.name), grid, grid.corner(number, k))
     return sheet
 
 
@@ -206,33 +229,36 @@ def _title(sheet: Image.Image, comparison: Comparison, grid: Grid) -> None:
 def _cell(
     sheet: Image.Image, comparison: Comparison, key: tuple[str, str], grid: Grid, corner: tuple[int, int]
 ) -> None:
-    """A picture, and under it its difference from the reference."""
-    x, y = corner
-    cell = comparison.cells[key]
-    x += (grid.column - grid.width) // 2
+    """A picture, and its difference from the reference."""
+    x, y = corner[0] + (grid.column - grid.cell[0]) // 2, corner[1]
+    cell, box = comparison.cells[key], (grid.width, grid.height)
     if cell.pixels is None:
-        ImageDraw.Draw(sheet).rectangle((x, y, x + grid.width - 1, y + grid.height - 1), EMPTY)
-        words = fitted(cell.words, grid.small, grid.width - grid.gap, FAINT)[0]
-        sheet.paste(words, (x + (grid.width - words.width) // 2, y + (grid.height - words.height) // 2))
+        ImageDraw.Draw(sheet).rectangle((x, y, x + box[0] - 1, y + box[1] - 1), EMPTY)
+        _centred(sheet, fitted(cell.words, grid.small, box[0] - grid.gap, FAINT)[0], (x, y), box)
         return
-    picture = scaled(cell.pixels, grid.width, grid.height)
-    sheet.paste(picture, (x + (grid.width - picture.width) // 2, y + (grid.height - picture.height) // 2))
-    if grid.differences:
+    _centred(sheet, scaled(cell.pixels, *box), (x, y), box)
+    if grid.differences == "beside":
+        _difference(sheet, comparison, key, grid, (x + grid.width + grid.gap // 2, y))
+    elif grid.differences:
         _difference(sheet, comparison, key, grid, (x, y + grid.height + grid.gap // 2))
+
+
+def _centred(sheet: Image.Image, picture: Image.Image, corner: tuple[int, int], box: tuple[int, int]) -> None:
+    sheet.paste(picture, (corner[0] + (box[0] - picture.width) // 2, corner[1] + (box[1] - picture.height) // 2))
 
 
 def _difference(
     sheet: Image.Image, comparison: Comparison, key: tuple[str, str], grid: Grid, corner: tuple[int, int]
 ) -> None:
+    """An amplified difference, and its numbers below it or at its right."""
     x, y = corner
-    words = comparison.difference_words(*key)
     if comparison.has_difference(*key):
-        picture = scaled(amplified(comparison.difference(*key), comparison.amplified), grid.width, grid.band)
+        picture = scaled(amplified(comparison.difference(*key), comparison.amplified), *grid.difference)
         sheet.paste(picture, (x, y))
-        x += picture.width + grid.gap
-    for k, text in enumerate(words):
-        for line in fitted(text, grid.small, max(grid.width - (x - corner[0]), 5 * grid.text), FAINT)[:1]:
-            sheet.paste(line, (x, y + round(1.45 * grid.small * k)))
+        beside = grid.differences == "beside"
+        x, y = (x, y + picture.height + grid.gap // 2) if beside else (x + picture.width + grid.gap, y)
+    for k, text in enumerate(comparison.difference_words(*key)):
+        sheet.paste(fitted(text, grid.small, grid.words[0], FAINT)[0], (x, y + k * grid.line))
 
 
 def amplified(difference: NDArray[np.int16], factor: int) -> Pixels:
