@@ -183,7 +183,8 @@ def _told(result: Comparison, outputs: list[str], as_json: bool) -> int:
     if as_json:
         outcome = {"status": "error", "error": result.note} if result.note else {"status": "ok"}
         print(json.dumps({**outcome, "scene": result.title, "output": outputs[0], "outputs": outputs,
-                          "differences": result.statistics(), "metrics": result.metrics}))  # fmt: skip
+                          "differences": result.statistics(), "metrics": result.metrics,
+                          "notes": result.notes}))  # fmt: skip
         return 1 if result.note else 0
     from rich.table import Table
     from rich.text import Text
@@ -196,8 +197,8 @@ def _told(result: Comparison, outputs: list[str], as_json: bool) -> int:
         table.add_row(*(_shown(value) for name, value in row.items() if name != "reference"))
     console().print(table)
     print(f"wrote {', '.join(outputs)}")
-    if result.note:
-        print(f"glsim: {result.title} ended early: {result.note}", file=sys.stderr)
+    for note in result.notes:
+        print(f"glsim compare: {note}", file=sys.stderr)
     return 1 if result.note else 0
 
 

@@ -71,7 +71,7 @@ def compare(
         drawing function is swept by its own parameters.  With two of them, of which the first is the columns, there is
         one mode.  segments=[8, 16] is short for sweep={"segments": [8, 16]}.
     columns: the name of the axis that is to be the columns, if the other way round is wanted.
-    reference: the column that differences are taken from (default: the first that is more than outlines).
+    reference: the column that differences are taken from (default: the first that is lit).
     differences: "x8": eight times amplified, or "off".  layout: "screen", "projector" (16:9) or "paper" (A4).
     title, captions: words for the sheet, and for columns and rows by name.
     size: of each picture, in pixels (default 512, or as a program asks).
@@ -90,6 +90,7 @@ def compare(
     sweeps = {**({} if segments is None else {"segments": segments}), **(sweep or {})}
     looks = _looks(modes, what is None, len(sweeps))
     room = what is not None and (is_radiosity(what) or any(one.mode in RADIOSITY for one in looks.values()))
+    lobes = "blinn" if lobes is None and reference == "native" else lobes  # the driver has no other
     plan = _planned(looks, _lobes(lobes), given, sweeps, room, parameters_of(what)).turned(columns)
     finish = _finish(plan, reference, differences, layout, captions or {})
     if animate is not None:
@@ -105,7 +106,8 @@ def compare(
     with Studio(source, given, samples, backend, wanted.calls) as studio:
         cells = studio.cells(plan.rows, plan.columns, plan.start, tell)
         name = title or source.title or ", ".join(given)
-        result = Comparison(name, plan.columns, plan.rows, cells, note=source.note, legend=plan.legend, **finish)
+        result = Comparison(name, plan.columns, plan.rows, cells, note=source.note, remarks=tuple(studio.remarks),
+                            legend=plan.legend, **finish)  # fmt: skip
         if animate is not None:
             result = replace(result, film=_film(result, plan, studio, animate, frames, tell))
     return result
@@ -197,8 +199,12 @@ def _planned(
         return _Plan(swept[0], swept[1], start, f"{modes.values[0].label}: {legend}")
     if swept:
         return _Plan(modes, swept[0], start, legend)
-    rows = Axis("lobe", (Value("diffuse", "Diffuse", ax.putting()),)) if room else ax.lobe_axis(lobes)
-    return _Plan(modes, rows, start, "" if room else legend)
+    if room:
+        return _Plan(modes, Axis("lobe", (Value("diffuse", "", ax.putting()),)), start, "")
+    rows = ax.lobe_axis(lobes)
+    if named and len(lobes) == 1:  # the columns say which lobe
+        rows = rows._replace(values=(rows.values[0]._replace(label=""),))
+    return _Plan(modes, rows, start, legend)
 
 
 def _with_lobes(looks: dict[str, Look], lobes: list[str]) -> dict[str, Look]:
@@ -231,7 +237,8 @@ def _finish(
     columns, known = plan.columns.names, [*plan.columns.names, *plan.rows.names]
     outlines = frozenset(name for name in known if name.partition(":")[0] in OUTLINES)
     if reference is None:
-        reference = next((name for name in columns if name not in outlines), columns[0])
+        lit = [name for name in columns if name not in outlines and name != "unlit"]
+        reference = (lit or columns)[0]
     reference = look_name(reference) if plan.columns.name == "mode" and reference not in columns else reference
     for kind, names, wanted in (("the reference", columns, [reference]), ("captions", known, list(captions)),
                                 ("layouts", list(LAYOUTS), [layout])):  # fmt: skip
@@ -266,7 +273,7 @@ def _amplified(differences: str | int) -> int:
 def _film(
     result: Comparison, plan: _Plan, studio: Studio, animate: str, frames: int, tell: Callable[[str], object]
 ) -> list[Image.Image]:
-    """The sheet without differences for each value of a third axis, in one palette."""
+    """The sheet without differences for each value of a third axis."""
     from PIL import Image
 
     film: list[Image.Image] = []
@@ -278,6 +285,5 @@ def _film(
         if sheet.width > FILM_WIDTH:
             size = FILM_WIDTH, round(sheet.height * FILM_WIDTH / sheet.width)
             sheet = sheet.resize(size, Image.Resampling.LANCZOS)
-        palette = film[0] if film else sheet.quantize(256)
-        film.append(sheet.quantize(palette=palette, dither=Image.Dither.NONE))
+        film.append(sheet.quantize(256, Image.Quantize.MAXCOVERAGE))  # within 3/255 of highlights too
     return film

@@ -35,7 +35,8 @@ class Comparison:
     reference: the name of the column that differences are taken from, in each row.
     amplified: of the differences on the sheet, 0 for none.  layout: of the sheet, see sheet.LAYOUTS.
     captions: name of a column or row -> words for it.  legend: the illumination equation.  note: what went wrong,
-    though there are pictures.  film: sheets of an animation.
+    though there are pictures.  remarks: sentences about what is shown otherwise than it was given.
+    film: sheets of an animation.
     """
 
     title: str
@@ -49,6 +50,7 @@ class Comparison:
     captions: Mapping[str, str] = field(default_factory=dict)
     legend: str = ""
     note: str = ""
+    remarks: tuple[str, ...] = ()
     film: Sequence[Image.Image] = ()
 
     def __repr__(self) -> str:
@@ -78,7 +80,7 @@ class Comparison:
         """Whether the difference says something: of two pictures of one size that are more than outlines."""
         reference = self.reference_of(row)
         sizes = {self.images[row, name].shape for name in (column, reference)}
-        return column != reference and len(sizes) == 1 and self.outlines.isdisjoint((column, reference))
+        return column != reference and len(sizes) == 1 and self.outlines.isdisjoint((row, column, reference))
 
     @cached_property
     def metrics(self) -> list[dict[str, Any]]:
@@ -93,14 +95,26 @@ class Comparison:
             found.append({**names, **(dict.fromkeys(values) if a.shape != b.shape else values)})
         return found
 
+    @property
+    def notes(self) -> list[str]:
+        """Sentences: what went wrong, though there are pictures; remarks; which pictures have another size."""
+        found = [*([self.note] if self.note else []), *self.remarks]
+        for row, column in self.images:
+            sizes = [self.images[row, name].shape[1::-1] for name in (column, self.reference_of(row))]
+            if sizes[0] != sizes[1]:
+                words = " and ".join(f"{width} x {height}" for width, height in sizes)
+                found.append(f"{column} and {self.reference_of(row)} have {words} pixels: no difference can be taken")
+        return found
+
     def statistics(self) -> list[dict[str, Any]]:
         """The metrics in short: names of row and column, the largest and the mean difference, in 1/255."""
         axes = [axis.name for axis in (self.rows, self.columns) if axis.name]
-        return [
-            {**{name: row[name] for name in axes}, "max": (row["max"] and int(row["max"])) or (row["max"] and 0),
-             "mean": row["mean"] and round(row["mean"], 4)}
-            for row in self.metrics
-        ]  # fmt: skip
+        found = []
+        for row in self.metrics:
+            sized = row["max"] is not None
+            short = {"max": int(row["max"]), "mean": round(row["mean"], 4)} if sized else {"max": None, "mean": None}
+            found.append({**{name: row[name] for name in axes}, **short})
+        return found
 
     def numbers(self, row: str, column: str) -> dict[str, Any]:
         """The metrics of one picture."""
@@ -111,7 +125,8 @@ class Comparison:
         if column == self.reference_of(row):
             return ["reference"]
         if not self.has_difference(row, column):
-            return []
+            height, width = self.images[row, column].shape[:2]
+            return [] if self.numbers(row, column)["max"] is not None else ["another size:", f"{width} x {height}"]
         values = self.numbers(row, column)
         return [f"difference x{self.amplified}", f"max {values['max']:.0f}", f"mean {values['mean']:.2f}",
                 f"SSIM {values['ssim']:.3f}"]  # fmt: skip
@@ -168,7 +183,9 @@ class Comparison:
 
             found = equations(self.cells, progress or (lambda words: None))
             write_text(path, page(f"{self.title}: a comparison", self.strips(found), plain(self.legend)))
-        elif ending == ".gif" and self.film:
+        elif ending == ".gif":
+            if not self.film:
+                raise ValueError(f'{path}: nothing moves: compare(..., animate="turntable") makes an animation')
             first, *rest = self.film
             write_atomically(path, lambda name: first.save(
                 name, save_all=True, append_images=rest, duration=MILLISECONDS, loop=0))  # fmt: skip

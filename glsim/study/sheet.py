@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -33,7 +34,7 @@ LAYOUTS: dict[str, tuple[tuple[int, int], int] | None] = {
 def written(text: str, size: float, color: Color = INK, paper: Color = PAPER) -> Image.Image:
     """A line of text as a picture; "k_d" has an index and "x^n" an exponent, of one character or digits."""
     runs = _runs(text)
-    large, small = (ImageFont.load_default(max(size * share, 8.0)) for share in (1.0, 0.72))
+    large, small = (_font(max(size * share, 8.0)) for share in (1.0, 0.72))
     fonts = {"": large, "_": small, "^": small}
     drops = {"": 0.0, "_": 0.48 * size, "^": -0.02 * size}
     width = sum(fonts[mark].getlength(words) for mark, words in runs)
@@ -43,6 +44,9 @@ def written(text: str, size: float, color: Color = INK, paper: Color = PAPER) ->
         pen.text((x, drops[mark] + 0.1 * size), words, color, fonts[mark])
         x += fonts[mark].getlength(words)
     return line
+
+
+_font = cache(ImageFont.load_default)
 
 
 def _runs(text: str) -> list[tuple[str, str]]:
@@ -122,7 +126,9 @@ class Grid:
         if self.differences == "beside":
             return self.width + self.gap // 2 + width, self.height
         if self.differences == "under":
-            return max(self.width, width + self.gap + self.words[0]), self.height + self.gap // 2 + max(height, self.words[1])
+            return max(self.width, width + self.gap + self.words[0]), self.height + self.gap // 2 + max(
+                height, self.words[1]
+            )
         return self.width, self.height
 
     @property

@@ -28,7 +28,8 @@ class Source:
     """Gives Frames of one size; this one gives none, for comparisons of given pictures.
 
     title: of the sheet.  width, height: in pixels.  parameters: names of further axes.  camera: that a turntable
-    moves, None if the source sets its own.  note: what went wrong, though there is a Frame.
+    moves, None if the source sets its own.  original: a pyrender.Scene, which pyrender draws as it is.  note: what went
+    wrong, though there is a Frame.  remarks: sentences about what is shown otherwise than it was given.
     """
 
     title: str = ""
@@ -36,7 +37,9 @@ class Source:
     height: int = 512
     parameters: tuple[str, ...] = ()
     camera: Camera | None = None
+    original: Any = None
     note: str = ""
+    remarks: tuple[str, ...] = ()
 
     def frame(self, arguments: Arguments, screen: Offscreen, calls: bool) -> Frame:
         """What is drawn with these arguments; ``screen``: to draw it on, in its initial state afterwards."""
@@ -115,7 +118,7 @@ class Still(Source):
 
     def __init__(self, title: str, frame: Frame) -> None:
         self.title, self.whole, self.width, self.height = title, frame, frame.width, frame.height
-        self.note = frame.error
+        self.note = f"{title} ended early: {frame.error}" if frame.error else ""
 
     def frame(self, arguments: Arguments, screen: Offscreen, calls: bool) -> Frame:
         if arguments:
@@ -191,6 +194,8 @@ def source_of(what: Any, wanted: Wanted, radiosity: bool, tell: Callable[[str], 
             what, wanted.patches, progress=lambda stage, done, of: tell(f"{stage}: {100 * done // max(of, 1)} %")
         )
         return Solved(result, size, wanted.view)
+    from glsim.study.pyrender import is_scene, scene_of
+
     if isinstance(what, Frame):
         return Still("frame", what)
     if isinstance(what, (str, Path)) and str(what).endswith(".py"):
@@ -199,6 +204,13 @@ def source_of(what: Any, wanted: Wanted, radiosity: bool, tell: Callable[[str], 
         tell(f"running {Path(what).name}")
         frame = frame_of_program(what, calls=wanted.calls, timeout=wanted.timeout, size=wanted.size)
         return Still(Path(what).name, frame)
+    if is_scene(what):
+        if wanted.own:
+            raise ValueError("compare: a pyrender.Scene has its own lights, materials and camera")
+        drawing = scene_of(what)
+        source = Drawn(drawing.__name__, drawing, size)
+        source.original, source.remarks = what, drawing.notes
+        return source
     if callable(what) and not isinstance(what, Scene):
         if wanted.own:
             raise ValueError("compare: a drawing function sets its own lights, material and camera")

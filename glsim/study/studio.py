@@ -6,7 +6,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,6 +51,7 @@ class Studio:
         self, source: Source, given: Mapping[str, Pixels], samples: int, backend: str = "auto", calls: bool = False
     ) -> None:
         self.source, self.given, self.samples, self.backend, self.calls = source, given, samples, backend, calls
+        self.remarks: dict[str, None] = dict.fromkeys(source.remarks)  # sentences, each once
 
     def __enter__(self) -> Studio:
         self.resources = ExitStack()
@@ -67,11 +68,12 @@ class Studio:
     def cells(self, rows: Axis, columns: Axis, start: Setting, tell: Callable[[str], object]) -> dict[Key, Cell]:
         """All cells of a sheet.  tell: called with what is being drawn."""
         cells: dict[Key, Cell] = {}
-        physical: dict[Key, Frame] = {}
+        physical: dict[Key, Any] = {}
         for key, setting in settings(rows, columns, start):
             tell(f"drawing {', '.join(filter(None, reversed(key)))}")
             if setting.look.mode == "pyrender" and setting.picture is None:
-                physical[key] = self._frame(setting)[0]
+                plain = not setting.arguments and not setting.changes
+                physical[key] = (self.source.original if plain else None) or self._frame(setting)[0]
                 cells[key] = Cell(None)
             else:
                 cells[key] = self._cell(setting)
@@ -79,7 +81,9 @@ class Studio:
             from glsim.study.pyrender import pictures
 
             tell("drawing with pyrender")
-            drawn = pictures(list(physical.values()), samples=self.samples)
+            size = self.source.width, self.source.height
+            note = self.remarks.setdefault
+            drawn = pictures(list(physical.values()), *size, samples=self.samples, note=note)
             cells |= {key: Cell(picture) for key, picture in zip(physical, drawn, strict=True)}
         return cells
 
