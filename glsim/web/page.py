@@ -21,8 +21,9 @@ from numpy.typing import NDArray
 
 from glsim.metrics import metrics
 
-SCRIPTS = ("png.js", "stage.js", "hands.js", "compare.js")
+SCRIPTS = ("png.js", "stage.js", "controls.js", "hands.js", "viewer.js", "compare.js")
 MANY = 4  # strips: a page with more has a table of contents
+IMAGE = "max-width: 100%; height: auto"
 LABELS = {"max": "Max", "mean": "Mean", "rmse": "RMSE", "different": "Different", "ssim": "SSIM", "flip": "FLIP"}
 MEANINGS = {
     "max": "largest difference of a channel, 0 to 255",
@@ -178,7 +179,7 @@ def _figure(strip: Strip, picture: Picture) -> str:
     alt = escape(f"{strip.title}: {picture.name}" + (f", {picture.caption}" if picture.caption else ""))
     height, width = pixels.shape[:2]
     return (
-        f'<figure><img loading="lazy" decoding="async" width="{width}" height="{height}" alt="{alt}" src="{uri}">'
+        f'<figure><img loading="lazy" decoding="async" width="{width}" height="{height}" style="{IMAGE}" alt="{alt}" src="{uri}">'
         f"<figcaption><b>{escape(picture.name)}</b> {escape(picture.caption)}</figcaption></figure>"
     )
 

@@ -9,7 +9,7 @@ const LEGIBLE = 44; // from this scale on, a pixel has room for its values
 /** @typedef {{x: number, y: number, width: number, height: number}} Box  in CSS pixels of the stage */
 /** @typedef {{left: number, top: number, scale: number}} Place  where the picture's upper left corner lies */
 /** @typedef {{box: Box, clip: Box, image: HTMLCanvasElement, pixels: Pixels, label?: string, labelTop?: number}} Panel
- *   box: where the picture is placed; clip: what is seen of it; labelTop: the label's y */
+ *   box: where the picture is placed; clip: what is seen of it; labelTop: how high its label may stand, if above the picture */
 
 const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) =>
   Math.max(low, Math.min(high, value));
@@ -81,7 +81,7 @@ class Stage {
     if (view.scale) this.moveTo(box, { left: left + dx, top: top + dy, scale });
   }
 
-  /** @param {Panel[]} panels @param {{ink: string, paper: string, accent: string}} colours
+  /** @param {Panel[]} panels @param {{ink: string, paper: string}} colours
    * @param {{hover: Point?, mark: Point?, point: Point?}} marks */
   draw(panels, colours, marks) {
     this.panels = panels;
@@ -99,7 +99,7 @@ class Stage {
       pen.clip();
       this.#picture(pen, panel, place);
       if (place.scale >= LEGIBLE) this.#values(pen, panel, place);
-      this.#marks(pen, place, colours, marks);
+      this.#marks(pen, place, marks);
       pen.restore();
     }
     for (const panel of panels) this.#label(pen, panel, colours);
@@ -129,8 +129,8 @@ class Stage {
     pen.textAlign = "center";
     pen.textBaseline = "middle";
     const first = Math.max(0, Math.floor((clip.x - left) / scale)), end = (clip.x + clip.width - left) / scale;
-    const top_ = Math.max(0, Math.floor((clip.y - top) / scale)), bottom = (clip.y + clip.height - top) / scale;
-    for (let y = top_; y < Math.min(bottom, pixels.height); y++) {
+    const highest = Math.max(0, Math.floor((clip.y - top) / scale)), bottom = (clip.y + clip.height - top) / scale;
+    for (let y = highest; y < Math.min(bottom, pixels.height); y++) {
       for (let x = first; x < Math.min(end, pixels.width); x++) {
         const [r, g, b, a] = valuesAt(pixels, { x, y });
         const lines = a === 255 ? [r, g, b] : [r, g, b, a];
@@ -144,12 +144,12 @@ class Stage {
   }
 
   /** The pixel under the pointer, the marked one, and the point whose equation is shown.
-   * @param {CanvasRenderingContext2D} pen @param {Place} place @param {{accent: string}} colours
+   * @param {CanvasRenderingContext2D} pen @param {Place} place
    * @param {{hover: Point?, mark: Point?, point: Point?}} marks */
-  #marks(pen, { left, top, scale }, { accent }, { hover, mark, point }) {
+  #marks(pen, { left, top, scale }, { hover, mark, point }) {
     const middle = (/** @type {Point} */ { x, y }) => [left + (x + 0.5) * scale, top + (y + 0.5) * scale];
     const stroke = (/** @type {Path2D} */ path) => {
-      for (const [colour, width] of [["#000a", 4], [accent, 2]])
+      for (const [colour, width] of [["#000", 4], ["#fff", 2]])
         (pen.strokeStyle = String(colour)), (pen.lineWidth = +width), pen.stroke(path);
     };
     for (const pixel of [hover, mark]) {
@@ -168,20 +168,24 @@ class Stage {
     }
   }
 
-  /** @param {CanvasRenderingContext2D} pen @param {Panel} panel @param {{ink: string, paper: string}} colours */
-  #label(pen, { clip, label, labelTop = clip.y + 6 }, { ink, paper }) {
+  /** The name: in the upper left corner, or right above the picture.
+   * @param {CanvasRenderingContext2D} pen @param {Panel} panel @param {{ink: string, paper: string}} colours */
+  #label(pen, { box, clip, label, labelTop }, { ink, paper }) {
     if (!label) return;
+    const place = this.place(box), above = labelTop !== undefined;
+    const x = above ? Math.max(clip.x, place.left) : clip.x + 6;
+    const y = above ? Math.max(labelTop, place.top - 29) : clip.y + 6;
     pen.font = "600 14px system-ui, sans-serif";
     pen.textAlign = "left";
     pen.textBaseline = "middle";
-    const width = Math.min(pen.measureText(label).width + 16, clip.width - 12);
+    const width = Math.min(pen.measureText(label).width + 16, clip.x + clip.width - x - 6);
     if (width < 24) return;
     pen.fillStyle = paper;
     pen.beginPath();
-    pen.roundRect(clip.x + 6, labelTop, width, 24, 5);
+    pen.roundRect(x, y, width, 24, 5);
     pen.fill();
     pen.fillStyle = ink;
-    pen.fillText(label, clip.x + 14, labelTop + 12.5, width - 16);
+    pen.fillText(label, x + 8, y + 12.5, width - 16);
   }
 }
 
