@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from textwrap import wrap
 
 from glsim.machine.frame import Frame
-from glsim.study.probe import Evaluation, Probe
+from glsim.study.probe import Evaluation, LightTerms, Probe
 from glsim.study.studio import Cell, Key
 
 POINTS = 16  # of a row and of a column of the grid
 SECONDS = 3.0  # for a picture, about, on two cores
 COST, COST_OF_A_VERTEX = 0.02, 2.5e-6  # seconds for a pixel, measured with the teapot of 1152 to 32768 quads
+
+WIDTH = 44  # letters of a line
 
 Equations = dict[tuple[int, int], str]
 
@@ -56,40 +59,45 @@ def grid(frame: Frame, cell: Cell) -> list[tuple[int, int]]:
 
 
 def words(probe: Probe) -> str:
-    """The winning fragment's equation with its numbers, a line for each term; "" where the background is seen."""
+    """The winning fragment's equation with its numbers, in short lines; "" where the background is seen."""
     winner = probe.winner
     if winner is None:
         return ""
-    lines = [f"{winner.what}; {winner.shading}"]
+    lines = [winner.what, winner.shading]
     for evaluation in winner.evaluations:
         lines += _equation(evaluation, len(winner.evaluations) > 1)
     if not winner.evaluations:
         lines.append(f"C = {_three(winner.primary)}")
-    lines += [
-        f"{step.name}: {step.formula} -> {_three(step.color)}" for step in winner.steps if step.name != "depth test"
-    ]
+    steps = (step for step in winner.steps if step.name != "depth test")
+    lines += [f"{step.name}: {step.formula}: {_three(step.color)}" for step in steps]
     r, g, b, _ = probe.pixel
-    return "\n".join([*lines, f"8 bits: ({r}, {g}, {b})"])
+    lines.append(f"8 bits: ({r}, {g}, {b})")
+    return "\n".join(part for line in lines for part in wrap(line, WIDTH, subsequent_indent="  "))
 
 
 def _equation(e: Evaluation, several: bool) -> Iterator[str]:
-    weight = f", weight {e.weight:.3f}" if several else ""
-    yield f"at the {e.at}{weight}: N = {_three(e.N)}"
+    yield f"at the {e.at}" + (f", weight {e.weight:.3f}" if several else "")
+    yield f"  N = {_three(e.N)}"
     if any(e.emission):
         yield f"  emission {_three(e.emission)}"
     yield f"  k_a I_a = {_three(e.glow)}"
     for light in e.lights:
-        factor = light.attenuation * light.spot
-        weaker = "" if factor == 1.0 else f"{factor:.3f} · "
-        cosine = "N·H" if light.vector == "H" else "R·V"
-        if any(light.ambient):
-            yield f"  light {light.light}: k_a I_a = {_three(light.ambient)}"
-        yield f"  light {light.light}: {weaker}k_d I_d (N·L = {light.N_L:.3f}) = {_three(light.diffuse)}"
-        if light.N_L > 0.0:
-            power = f"({cosine} = {light.cosine:.3f})^{e.n:g} = {light.power:.3f}"
-            yield f"  light {light.light}: {weaker}k_s I_s {power} = {_three(light.specular)}"
-    clamped = "" if e.sum == e.clamped else f", clamped to {_three(e.clamped)}"
-    yield f"  I = {_three(e.sum)}{clamped}"
+        yield from _light(light, e.n)
+    yield f"  I = {_three(e.sum)}"
+    if e.sum != e.clamped:
+        yield f"  clamped {_three(e.clamped)}"
+
+
+def _light(light: LightTerms, n: float) -> Iterator[str]:
+    cosine = "N·H" if light.vector == "H" else "R·V"
+    weaker = "" if light.attenuation == light.spot == 1.0 else f", weaker by {light.attenuation * light.spot:.3f}"
+    yield f"  light {light.light}: N·L = {light.N_L:.3f}{weaker}"
+    if any(light.ambient):
+        yield f"    k_a I_a = {_three(light.ambient)}"
+    yield f"    k_d I_d (N·L) = {_three(light.diffuse)}"
+    if light.N_L > 0.0:
+        yield f"    {cosine} = {light.cosine:.3f}, to the {n:g}: {light.power:.3f}"
+        yield f"    k_s I_s ({cosine})^n = {_three(light.specular)}"
 
 
 def _three(values: tuple[float, ...]) -> str:

@@ -53,15 +53,14 @@ class Look(NamedTuple):
 
     @property
     def label(self) -> str:
-        words = [LOBES[self.lobe].split("  ")[0]] if self.lobe else []
-        return ", ".join([MODES[self.mode].label, *words, *([self.back] if self.back else [])])
+        """As a heading: "Phong (N·H)^n, flip"."""
+        lobe = " " + LOBES[self.lobe].split("  ")[1] if self.lobe else ""
+        return MODES[self.mode].label + lobe + (f", {self.back}" if self.back else "")
 
     @property
     def formula(self) -> str:
-        """The mode's formula, and what its options say: one line."""
-        vectors = {None: "", "blinn": "k_s I_s (N·H)^n", "phong": "k_s I_s (R·V)^n"}[self.lobe]
-        parts = [MODES[self.mode].formula, vectors, BACK[self.back][2] if self.back else ""]
-        return ",  ".join(filter(None, parts))
+        """How the colour comes about, and what happens where N.L < 0: one line."""
+        return ",  ".join(filter(None, (MODES[self.mode].formula, BACK[self.back][2] if self.back else "")))
 
     def changes(self) -> list[Change]:
         """What ``back`` changes in the state of the draws."""

@@ -29,7 +29,7 @@ class Source:
 
     title: of the sheet.  width, height: in pixels.  parameters: names of further axes.  camera: that a turntable
     moves, None if the source sets its own.  original: a pyrender.Scene, which pyrender draws as it is.  note: what went
-    wrong, though there is a Frame.  remarks: sentences about what is shown otherwise than it was given.
+    wrong, though there is a Frame.  toned: whether ``finished`` changes pixels.  remarks: sentences about what is shown otherwise than it was given.
     """
 
     title: str = ""
@@ -38,6 +38,7 @@ class Source:
     parameters: tuple[str, ...] = ()
     camera: Camera | None = None
     original: Any = None
+    toned: bool = False
     note: str = ""
     remarks: tuple[str, ...] = ()
 
@@ -130,6 +131,8 @@ class Still(Source):
 
 class Solved(Source):
     """A radiosity solution, and its scene lit by OpenGL's lights."""
+
+    toned = True
 
     def __init__(self, result: Radiosity, size: int, view: int) -> None:
         from glsim.radiosity.tone import toned

@@ -108,7 +108,7 @@ class Studio:
         self.screen.reset()
         self.screen.execute(shaded.packets)
         pixels = np.ascontiguousarray(self.screen.pixels()[..., :3])
-        return Cell(source.finished(pixels), "", None if look.mode in OUTLINES else shaded)
+        return Cell(source.finished(pixels), "", None if source.toned or look.mode in OUTLINES else shaded)
 
 
 def native(frame: Frame, changes: list[Change]) -> Pixels:
