@@ -38,6 +38,8 @@ def pictures_of(given: Any) -> dict[str, NDArray[np.uint8]]:
 
 def _pixels(name: str, picture: Any) -> NDArray[np.uint8]:
     if isinstance(picture, (str, Path)):
+        if not Path(picture).exists():
+            raise FileNotFoundError(f"compare: {picture}: there is no such picture")
         with Image.open(picture) as file:
             return np.asarray(file.convert("RGB"))
     if isinstance(picture, Image.Image):

@@ -29,7 +29,8 @@ class Source:
 
     title: of the sheet.  width, height: in pixels.  parameters: names of further axes.  camera: that a turntable
     moves, None if the source sets its own.  original: a pyrender.Scene, which pyrender draws as it is.  note: what went
-    wrong, though there is a Frame.  toned: whether ``finished`` changes pixels.  remarks: sentences about what is shown otherwise than it was given.
+    wrong, though there is a Frame.  toned: whether ``finished`` changes pixels.  remarks: sentences about what is shown
+    otherwise than it was given.
     """
 
     title: str = ""

@@ -189,7 +189,7 @@ def test_pictures_on_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixt
         (["cube", "sphere"], "one scene or program at a time, not cube and sphere"),
         (["cube", "--sweep", "shininess"], "--sweep shininess: NAME=... is needed"),
         (["cube", "--samples", "3"], "samples must be one of"),
-        (["nosuch.png"], "No such file"),
+        (["nosuch.png"], "nosuch.png: there is no such picture"),
     ],
 )
 def test_names_are_checked_before_any_work(
