@@ -133,7 +133,11 @@ def sweep(name: str, given: str | Sequence[Any], parameters: Iterable[str] = ())
 def _value(name: str, text: str, kind: Sweepable, value: Any) -> Value:
     if kind.state is not None:
         change = kind.state(value)
-        return Value(text, kind.label.format(text), lambda old: replace(old, changes=(*old.changes, change)))
+
+        def put(old: Setting) -> Setting:  # where a light is comes first: a cone is for one at a place
+            return replace(old, changes=(change, *old.changes) if name == "light" else (*old.changes, change))
+
+        return Value(text, kind.label.format(text), put)
     pair = (name, value)
     return Value(text, kind.label.format(text), lambda old: replace(old, arguments=(*old.arguments, pair)))
 

@@ -25,11 +25,13 @@ class Change(NamedTuple):
 ChangeOf = Callable[[Frame], Change]  # a change may depend on what is there, such as which light is on
 
 
-def changed(frame: Frame, changes: Sequence[Change]) -> Frame:
-    """The frame with each Draw changed; its calls stay, see ``changed_calls``."""
-    for change in changes:
-        frame = frame.map_draws(change.draw)
-    return frame
+def changed(frame: Frame, wanted: Sequence[ChangeOf]) -> tuple[Frame, list[Change]]:
+    """The frame with each Draw changed, one change after the other, and the changes for ``changed_calls``."""
+    changes = []
+    for change_of in wanted:
+        changes.append(change_of(frame))
+        frame = frame.map_draws(changes[-1].draw)
+    return frame, changes
 
 
 def changed_calls(calls: Sequence[Call], changes: Sequence[Change]) -> list[Call]:
@@ -63,10 +65,10 @@ def _lighting(change: Callable[[Lighting], Lighting], *calls: Call) -> Change:
     return Change(draw, calls)
 
 
-def light_model(two_side: bool, back_lighting: int) -> Change:
+def light_model(two_side: bool, back_lighting: int) -> ChangeOf:
     """What happens where N.L < 0; the driver knows GL_LIGHT_MODEL_TWO_SIDE alone."""
     call = Call("glLightModeli", (gl.GL_LIGHT_MODEL_TWO_SIDE, int(two_side)))
-    return _lighting(lambda old: old._replace(two_side=two_side, back_lighting=back_lighting), call)
+    return lambda frame: _lighting(lambda old: old._replace(two_side=two_side, back_lighting=back_lighting), call)
 
 
 def ambient(value: float) -> ChangeOf:
@@ -108,11 +110,11 @@ def light(lamp: Lamp) -> ChangeOf:
     """The first light where ``lamp`` is; its cone, attenuation and brightness too where the lamp has any."""
 
     def of(frame: Frame) -> Change:
-        number, old, middle = first_light(frame)
+        number, _, middle = first_light(frame)
         parameters: dict[str, Any] = {"position": lamp.position}
         if lamp.cutoff != 180.0:
             parameters |= {"spot_cutoff": lamp.cutoff, "spot_exponent": lamp.exponent}
-        if lamp.cutoff != 180.0 or old.spot_cutoff != 180.0:
+        if lamp.position[3] != 0.0:
             parameters["spot_direction"] = lamp.aim(middle)
         if lamp.attenuation != (1.0, 0.0, 0.0):
             parameters |= _attenuated(lamp.attenuation)

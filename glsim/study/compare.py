@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
-from glsim.names import LOBES as LOBE_NAMES
-from glsim.names import did_you_mean
+from glsim.names import SHADING, did_you_mean
 from glsim.scenes.staging import Camera, Lamp, camera_of, lamp_of
-from glsim.study import axes as ax
-from glsim.study.axes import Axis, Setting, Value
+from glsim.study.axes import animation
 from glsim.study.comparison import Comparison as Comparison
 from glsim.study.given import Given, are_given, pictures_of
-from glsim.study.looks import LOBES, MODES, OUTLINES, RADIOSITY, SHADED, Look, look
+from glsim.study.looks import OUTLINES, RADIOSITY
+from glsim.study.plan import Plan, lobes_of, looks_of, planned
 from glsim.study.sheet import LAYOUTS
 from glsim.study.sources import Source, Wanted, is_radiosity, parameters_of, source_of
 from glsim.study.studio import Studio
@@ -21,7 +20,6 @@ from glsim.study.studio import Studio
 if TYPE_CHECKING:
     from PIL import Image
 
-DEFAULT_MODES = ("flat", "gouraud", "phong")
 FILM_WIDTH = 960  # pixels of an animation, at most
 
 
@@ -88,21 +86,20 @@ def compare(
         what, pictures = None, what
     given = pictures_of(pictures)
     sweeps = {**({} if segments is None else {"segments": segments}), **(sweep or {})}
-    looks = _looks(modes, what is None, len(sweeps))
+    looks = looks_of(modes, what is None, len(sweeps))
     room = what is not None and (is_radiosity(what) or any(one.mode in RADIOSITY for one in looks.values()))
     lobes = "blinn" if lobes is None and reference == "native" else lobes  # the driver has no other
-    plan = _planned(looks, _lobes(lobes), given, sweeps, room, parameters_of(what)).turned(columns)
+    plan = planned(looks, lobes_of(lobes), given, sweeps, room, parameters_of(what)).turned(columns)
     finish = _finish(plan, reference, differences, layout, captions or {})
     if animate is not None:
-        ax.animation(animate, frames, Camera())  # raises before any work
-    exact = bool(given) or any(one.mode == "native" for one in looks.values())
+        animation(animate, frames, Camera())  # raises before any work
+    native = any(one.mode == "native" for one in looks.values())
     wanted = Wanted(
         size, None if lights is None else [lamp_of(one) if isinstance(one, str) else one for one in lights],
-        material, camera_of(camera) if isinstance(camera, str) else camera, patches, view, timeout,
-        any(one.mode == "native" for one in looks.values()),
+        material, camera_of(camera) if isinstance(camera, str) else camera, patches, view, timeout, native,
     )  # fmt: skip
     source = Source() if what is None else source_of(what, wanted, room, tell)
-    samples = (0 if exact else 4) if samples is None else samples
+    samples = (0 if native or given else 4) if samples is None else samples
     with Studio(source, given, samples, backend, wanted.calls) as studio:
         cells = studio.cells(plan.rows, plan.columns, plan.start, tell)
         name = title or source.title or ", ".join(given)
@@ -113,125 +110,11 @@ def compare(
     return result
 
 
-# ---------------------------------------------------------------- which columns and rows
-
-
-class _Plan(NamedTuple):
-    """The axes, and what all pictures have in common."""
-
-    columns: Axis
-    rows: Axis
-    start: Setting
-    legend: str
-
-    def turned(self, columns: str | None) -> _Plan:
-        """The plan with the axis of this name as columns."""
-        names = [self.columns.name, self.rows.name]
-        if columns is None or columns == names[0]:
-            return self
-        if columns != names[1]:
-            raise ValueError(f"compare: columns can be {' or '.join(filter(None, names))}, not {columns!r}"
-                             f"{did_you_mean(columns, names)}")  # fmt: skip
-        return self._replace(columns=self.rows, rows=self.columns)
-
-
-def _words(given: str | Sequence[str]) -> list[str]:
-    return [word.strip() for word in (given.split(",") if isinstance(given, str) else given)]
-
-
-def _looks(modes: str | Sequence[str] | None, no_scene: bool, sweeps: int) -> dict[str, Look]:
-    """The looks by their names."""
-    if no_scene:
-        if modes is not None or sweeps:
-            raise ValueError("compare: modes and sweeps need a scene to draw: name one beside the pictures")
-        return {}
-    words = (DEFAULT_MODES if sweeps < 2 else ("phong",)) if modes is None else _words(modes)
-    found = [look(word) for word in words]
-    names = [":".join(filter(None, one)) for one in found]
-    if not names:
-        raise ValueError(f"compare: modes are {', '.join(MODES)}, not none")
-    _once("mode", names)
-    return dict(zip(names, found, strict=True))
-
-
-def _lobes(lobes: str | Sequence[str] | None) -> list[str] | None:
-    if lobes is None:
-        return None
-    names = [LOBE_NAMES.get(name, name) for name in _words(lobes)]
-    unknown = [name for name in names if name not in LOBES]
-    if unknown or not names:
-        hint = did_you_mean(unknown[0], LOBES) if unknown else ""
-        raise ValueError(f"compare: lobes are {', '.join(LOBES)}, not {', '.join(unknown) or 'none'}{hint}")
-    _once("lobe", names)
-    return names
-
-
-def _once(kind: str, names: Sequence[str]) -> None:
-    twice = next((name for name in names if names.count(name) > 1), None)
-    if twice is not None:
-        raise ValueError(f"compare: {kind} {twice} is given twice")
-
-
-def _planned(
-    looks: dict[str, Look], lobes: list[str] | None, given: Mapping[str, Any], sweeps: Mapping[str, Any], room: bool,
-    parameters: Sequence[str],
-) -> _Plan:  # fmt: skip
-    """Columns are modes and rows lobes, or what is swept; with two sweeps, these are columns and rows."""
-    swept = [ax.sweep(name, values, parameters) for name, values in sweeps.items()]
-    if len(swept) > 2 or (len(swept) == 2 and (len(looks) > 1 or given or len(lobes or []) > 1)):
-        names = ", ".join([*(["mode"] if len(looks) > 1 else []), *(axis.name for axis in swept)])
-        raise ValueError(f"compare: a sheet has two axes, not {names}: of two sweeps give one mode and one lobe")
-    if room and swept:
-        raise ValueError("compare: with radiosity the scene has its own lamps and materials, so nothing is swept")
-    if swept and lobes and len(lobes) > 1:
-        looks = _with_lobes(looks, lobes)
-        lobes = lobes[:1]
-    named = any(one.lobe for one in looks.values())
-    lobes = lobes or (["blinn"] if swept or named else list(LOBES))
-    start = Setting(lobe=lobes[0])
-    if not looks:
-        return _Plan(Axis("picture", ax.picture_values(given)), Axis("", (Value("", "", ax.putting()),)), start, "")
-    modes = ax.mode_axis(looks.items())
-    modes = modes._replace(values=modes.values + ax.picture_values(given))
-    legend = _legend(looks, lobes)
-    if len(swept) == 2:
-        start = replace(start, look=next(iter(looks.values())))
-        return _Plan(swept[0], swept[1], start, f"{modes.values[0].label}: {legend}")
-    if swept:
-        return _Plan(modes, swept[0], start, legend)
-    if room:
-        return _Plan(modes, Axis("lobe", (Value("diffuse", "", ax.putting()),)), start, "")
-    rows = ax.lobe_axis(lobes)
-    if named and len(lobes) == 1:  # the columns say which lobe
-        rows = rows._replace(values=(rows.values[0]._replace(label=""),))
-    return _Plan(modes, rows, start, legend)
-
-
-def _with_lobes(looks: dict[str, Look], lobes: list[str]) -> dict[str, Look]:
-    """Each look with each lobe, where it has lobes and names none."""
-    found = {}
-    for name, one in looks.items():
-        if one.lobe or one.mode == "native" or MODES[one.mode].options != SHADED:
-            found[name] = one
-        else:
-            found |= {f"{name}:{lobe}": one._replace(lobe=lobe) for lobe in lobes}
-    return found
-
-
-def _legend(looks: dict[str, Look], lobes: list[str]) -> str:
-    """The illumination equation, if it is evaluated."""
-    if not any(MODES[one.mode].options for one in looks.values()):
-        return ""
-    several = len(lobes) > 1 or any(one.lobe for one in looks.values())
-    cosine = "cos" if several else {"blinn": "(N·H)", "phong": "(R·V)"}[lobes[0]]
-    return f"I(N) = k_a I_a + k_d I_d (N·L) + k_s I_s {cosine}^n"
-
-
 # ---------------------------------------------------------------- how it is shown
 
 
 def _finish(
-    plan: _Plan, reference: str | None, differences: str | int, layout: str, captions: Mapping[str, str]
+    plan: Plan, reference: str | None, differences: str | int, layout: str, captions: Mapping[str, str]
 ) -> dict[str, Any]:
     """The fields of a Comparison that say how it is shown."""
     columns, known = plan.columns.names, [*plan.columns.names, *plan.rows.names]
@@ -239,23 +122,19 @@ def _finish(
     if reference is None:
         lit = [name for name in columns if name not in outlines and name != "unlit"]
         reference = (lit or columns)[0]
-    reference = look_name(reference) if plan.columns.name == "mode" and reference not in columns else reference
-    for kind, names, wanted in (("the reference", columns, [reference]), ("captions", known, list(captions)),
-                                ("layouts", list(LAYOUTS), [layout])):  # fmt: skip
-        for name in wanted:
-            if name not in names:
-                verb = "is one of" if kind == "the reference" else "are of" if kind == "captions" else "are"
-                raise ValueError(f"compare: {kind} {verb} {', '.join(names)}, not {name!r}{did_you_mean(name, names)}")
+    elif plan.columns.name == "mode" and reference not in columns:
+        reference = SHADING.get(reference, reference)
+    _check("the reference is a column, of", columns, reference)
+    _check("layouts are", LAYOUTS, layout)
+    for name in captions:
+        _check("captions are for", known, name)
     return {"reference": reference, "outlines": outlines, "amplified": _amplified(differences), "layout": layout,
             "captions": dict(captions)}  # fmt: skip
 
 
-def look_name(text: str) -> str:
-    """The canonical name of a look: smooth -> gouraud; text that is none stays."""
-    try:
-        return ":".join(filter(None, look(text)))
-    except ValueError:
-        return text
+def _check(words: str, names: Iterable[str], name: str) -> None:
+    if name not in names:
+        raise ValueError(f"compare: {words} {', '.join(names)}, not {name!r}{did_you_mean(name, names)}")
 
 
 def _amplified(differences: str | int) -> int:
@@ -271,13 +150,13 @@ def _amplified(differences: str | int) -> int:
 
 
 def _film(
-    result: Comparison, plan: _Plan, studio: Studio, animate: str, frames: int, tell: Callable[[str], object]
+    result: Comparison, plan: Plan, studio: Studio, animate: str, frames: int, tell: Callable[[str], object]
 ) -> list[Image.Image]:
     """The sheet without differences for each value of a third axis."""
     from PIL import Image
 
     film: list[Image.Image] = []
-    time = ax.animation(animate, frames, studio.source.camera)
+    time = animation(animate, frames, studio.source.camera)
     for number, value in enumerate(time.values, 1):
         tell(f"picture {number} of {len(time.values)} of the animation")
         cells = studio.cells(plan.rows, plan.columns, value.change(plan.start), lambda words: None)

@@ -9,7 +9,7 @@ from glsim.machine.frame import Frame
 from glsim.names import LOBES as LOBE_NAMES
 from glsim.names import SHADING, did_you_mean
 from glsim.play.reshade import shaded
-from glsim.study.changes import Change, light_model
+from glsim.study.changes import ChangeOf, light_model
 
 
 class Mode(NamedTuple):
@@ -62,7 +62,7 @@ class Look(NamedTuple):
         """How the colour comes about, and what happens where N.L < 0: one line."""
         return ",  ".join(filter(None, (MODES[self.mode].formula, BACK[self.back][2] if self.back else "")))
 
-    def changes(self) -> list[Change]:
+    def changes(self) -> list[ChangeOf]:
         """What ``back`` changes in the state of the draws."""
         return [light_model(*BACK[self.back][:2])] if self.back else []
 

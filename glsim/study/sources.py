@@ -47,6 +47,9 @@ class Source:
         """What is drawn with these arguments; ``screen``: to draw it on, in its initial state afterwards."""
         raise NotImplementedError
 
+    def forget(self) -> None:
+        """Let go of Frames that were kept to be drawn in several looks."""
+
     def solved(self, mode: str, samples: int) -> Pixels:
         """The picture of a mode of radiosity."""
         raise ValueError(f"compare: {self.title} gives no scene for radiosity")
@@ -74,6 +77,9 @@ class Drawn(Source):
                 raise ValueError(f"compare: {self.title} draws nothing here: does it open a context of its own?")
             self.frames[arguments] = frame
         return self.frames[arguments]
+
+    def forget(self) -> None:
+        self.frames.clear()
 
     def drawing(self, arguments: Mapping[str, Any]) -> Callable[[], object]:
         for name in arguments:

@@ -67,6 +67,7 @@ class Studio:
 
     def cells(self, rows: Axis, columns: Axis, start: Setting, tell: Callable[[str], object]) -> dict[Key, Cell]:
         """All cells of a sheet.  tell: called with what is being drawn."""
+        self.source.forget()
         cells: dict[Key, Cell] = {}
         physical: dict[Key, Any] = {}
         for key, setting in settings(rows, columns, start):
@@ -90,8 +91,7 @@ class Studio:
     def _frame(self, setting: Setting) -> tuple[Frame, list[Change]]:
         """The frame of a setting before it is shaded, and what was changed in it."""
         frame = self.source.frame(setting.arguments, self.screen, self.calls)
-        changes = [change(frame) for change in setting.changes] + setting.look.changes()
-        return changed(frame, changes), changes
+        return changed(frame, [*setting.changes, *setting.look.changes()])
 
     def _cell(self, setting: Setting) -> Cell:
         if setting.picture is not None:

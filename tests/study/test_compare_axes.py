@@ -141,6 +141,13 @@ def test_a_swept_light_is_a_scene_with_that_light(sweep: dict[str, str], lamp: L
     assert not np.array_equal(swept, one("sphere:24", lights=[SPOT]))
 
 
+def test_a_cone_is_for_the_light_that_was_moved() -> None:
+    """In either order, and though the scene's own light is a direction."""
+    moved = one("sphere:24", lights=[Lamp((2.0, 0.0, -1.0, 1.0), cutoff=9.0)])
+    for sweep in ({"light": "2,0,-1,1", "cutoff": "9"}, {"cutoff": "9", "light": "2,0,-1,1"}):
+        assert np.array_equal(one("sphere:24", lights=["0,1,1"], sweep=sweep), moved)
+
+
 def test_what_is_swept_of_a_scene_is_that_scene() -> None:
     scene = open_scene("sphere:24")
     shiny = replace(scene, material=scene.material._replace(shininess=9.0))
@@ -243,10 +250,10 @@ def test_a_program_runs_once(tmp_path: Path) -> None:
         (dict(modes="wireframe:blinn"), "wireframe has no lobe"),
         (dict(modes="unlit:flip"), "unlit has no back lighting"),
         (dict(modes="native:phong"), "fixed function has"),
-        (dict(reference="gourad"), "the reference is one of flat, gouraud, phong, not 'gourad'; did you mean"),
+        (dict(reference="gourad"), "the reference is a column, of flat, gouraud, phong, not 'gourad'; did you mean"),
         (dict(differences="8x"), 'differences are "off" or amplified'),
         (dict(layout="beamer"), "layouts are screen, projector, paper, not 'beamer'"),
-        (dict(captions={"gourad": "x"}), "captions are of .* did you mean 'gouraud'"),
+        (dict(captions={"gourad": "x"}), "captions are for .* did you mean 'gouraud'"),
         (dict(sweep={"shinines": "1"}), "axes are .* not 'shinines'; did you mean 'shininess'?"),
         (dict(sweep={"shininess": "1,200"}), "shininess: shininess is from 0 to 128, not 200"),
         (dict(sweep={"shininess": "4,4"}), "needs values, each once, not 4, 4"),
@@ -255,6 +262,7 @@ def test_a_program_runs_once(tmp_path: Path) -> None:
         (dict(sweep={"material": "bras"}), "did you mean 'brass'"),
         (dict(segments="0"), "the number of segments is from 1 to 2000"),
         (dict(sweep={"shininess": "1", "ambient": "1"}, modes="flat,phong"), "two axes, not mode, shininess, ambient"),
+        (dict(pictures={"flat": np.zeros((4, 4, 3), np.uint8)}), "column flat is given twice"),
         (dict(columns="lobes"), "columns can be mode or lobe, not 'lobes'; did you mean 'lobe'?"),
         (dict(animate="turn"), "animations are turntable, light or NAME=VALUES, not 'turn'"),
         (dict(lights=["0,1,2:cuttoff=3"]), "not 'cuttoff=3'; did you mean 'cutoff'?"),
