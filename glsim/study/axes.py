@@ -6,10 +6,12 @@ An axis is a name and a list of values; each value says how it changes the Setti
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from math import cos, radians, sin
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from glsim.names import did_you_mean
 from glsim.scenes.staging import Camera, Lamp, attenuation, camera_of, cutoff, lamp_of, within
@@ -87,7 +89,10 @@ def _number(name: str, least: float, most: float) -> Callable[[str], float]:
 
 
 def _segments(text: str) -> int:
-    return int(within("the number of segments", text, 1, 2000))
+    value = within("the number of segments", text, 1, 2000)
+    if value % 1.0:
+        raise ValueError(f"the number of segments is a whole one, not {text}")
+    return int(value)
 
 
 SWEEPABLE = {
@@ -104,10 +109,10 @@ SWEEPABLE = {
 }
 
 
-def sweep(name: str, given: str | Sequence[Any], parameters: Iterable[str] = ()) -> Axis:
+def sweep(name: str, given: Any, parameters: Iterable[str] = ()) -> Axis:
     """An axis of values.
 
-    given: the values, or their text as on the command line.  parameters: names that the source takes besides those of
+    given: the values, or one of them, or their text as on the command line.  parameters: names that the source takes besides those of
     SWEEPABLE: of a drawing function.
     Raises ValueError for an unknown name, a value that cannot be, or the same value twice.
     """
@@ -115,7 +120,8 @@ def sweep(name: str, given: str | Sequence[Any], parameters: Iterable[str] = ())
     if name not in known:
         raise ValueError(f"compare: axes are {', '.join(known)}, not {name!r}{did_you_mean(name, known)}")
     kind = known[name]
-    texts = given.split(kind.separator) if isinstance(given, str) else list(given)
+    given = given.split(kind.separator) if isinstance(given, str) else given
+    texts = list(given) if isinstance(given, (list, tuple, range, np.ndarray)) else [given]
     values = []
     for one in texts:
         text = one.strip() if isinstance(one, str) else _text(one)
@@ -163,6 +169,8 @@ def animation(text: str, frames: int, view: Camera | None) -> Axis:
     name, equals, values = text.partition("=")
     if equals:
         return sweep(name, values)
+    if frames < 1:
+        raise ValueError(f"compare: an animation has 1 picture or more, not {frames}")
     turns = [360.0 * k / frames for k in range(frames)]
     if text == "turntable":
         if view is None:

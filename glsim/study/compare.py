@@ -29,7 +29,7 @@ def compare(
     modes: str | Sequence[str] | None = None,
     lobes: str | Sequence[str] | None = None,
     pictures: Given = (),
-    segments: str | Sequence[int] | None = None,
+    segments: int | str | Sequence[int] | None = None,
     sweep: Mapping[str, Any] | None = None,
     columns: str | None = None,
     reference: str | None = None,
@@ -85,6 +85,8 @@ def compare(
     if are_given(what):
         what, pictures = None, what
     given = pictures_of(pictures)
+    if what is None and not given:
+        raise ValueError("compare: nothing to compare: name a scene, a program, a function that draws, or pictures")
     sweeps = {**({} if segments is None else {"segments": segments}), **(sweep or {})}
     looks = looks_of(modes, what is None, len(sweeps))
     room = what is not None and (is_radiosity(what) or any(one.mode in RADIOSITY for one in looks.values()))

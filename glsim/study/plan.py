@@ -35,6 +35,10 @@ class Plan(NamedTuple):
 
 
 def _words(given: str | Sequence[str]) -> list[str]:
+    """Names in a text, or in a list.  Raises TypeError for what is no name."""
+    for word in given:
+        if not isinstance(word, str):
+            raise TypeError(f"compare: modes and lobes are names, not {word!r}")
     return [word.strip() for word in (given.split(",") if isinstance(given, str) else given)]
 
 

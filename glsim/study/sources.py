@@ -194,7 +194,7 @@ class Wanted(NamedTuple):
 
 def source_of(what: Any, wanted: Wanted, radiosity: bool, tell: Callable[[str], object]) -> Source:
     """The source for what ``compare`` takes.  radiosity: whether its modes are asked for.  tell: of the progress."""
-    size = wanted.size or 512
+    size = 512 if wanted.size is None else wanted.size
     if radiosity or is_radiosity(what):
         if wanted.own:
             raise ValueError("compare: with radiosity the scene has its own lamps, materials and cameras: use --view")

@@ -260,6 +260,8 @@ def test_a_program_runs_once(tmp_path: Path) -> None:
         (dict(sweep={"shininess": "1,x"}), "shininess: numbers separated by commas are needed, not 'x'"),
         (dict(sweep={"light": "0,1"}), "light: 3 to 5 numbers are needed, not '0,1'"),
         (dict(sweep={"material": "bras"}), "did you mean 'brass'"),
+        (dict(segments=[8.5]), "the number of segments is a whole one, not 8.5"),
+        (dict(animate="turntable", frames=0), "an animation has 1 picture or more, not 0"),
         (dict(segments="0"), "the number of segments is from 1 to 2000"),
         (dict(sweep={"shininess": "1", "ambient": "1"}, modes="flat,phong"), "two axes, not mode, shininess, ambient"),
         (dict(pictures={"flat": np.zeros((4, 4, 3), np.uint8)}), "column flat is given twice"),
@@ -274,6 +276,14 @@ def test_a_program_runs_once(tmp_path: Path) -> None:
 def test_wrong_options_get_a_sentence(options: dict[str, Any], sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
         compare("cube", size=32, **options)
+
+
+def test_nothing_to_compare() -> None:
+    for what in (None, {}, []):
+        with pytest.raises(ValueError, match="nothing to compare: name a scene"):
+            compare(what)
+    with pytest.raises(TypeError, match="modes and lobes are names, not 3"):
+        compare("cube", modes=["flat", 3])  # type: ignore[list-item]
 
 
 def test_what_cannot_be_swept_says_why() -> None:
