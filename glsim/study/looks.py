@@ -22,16 +22,16 @@ class Mode(NamedTuple):
 
 SHADED = ("lobe", "back")
 MODES = {
-    "wireframe": Mode("Wireframe", "all edges, C = k_d"),
-    "hidden-line": Mode("Hidden line", "edges that no face hides, C = k_d"),
+    "wireframe": Mode("Wireframe", "C = k_d,  all edges"),
+    "hidden-line": Mode("Hidden line", "C = k_d,  edges that no face hides"),
     "unlit": Mode("Unlit", "C = k_d"),
-    "flat": Mode("Flat", "C = I(N_k) of one vertex k of each face", SHADED),
+    "flat": Mode("Flat", "C = I(N_k),  one vertex k for each face", SHADED),
     "gouraud": Mode("Gouraud", "C = w_1 I(N_1) + w_2 I(N_2) + w_3 I(N_3)", SHADED),
     "phong": Mode("Phong", "C = I(N/|N|),  N = w_1 N_1 + w_2 N_2 + w_3 N_3", SHADED),
-    "native": Mode("Driver's fixed function", "the driver's own I, at the vertices", SHADED),
+    "native": Mode("Driver's fixed function", "I by the driver,  at the vertices", SHADED),
     "direct": Mode("Direct illumination", "B = E + R F E"),
     "radiosity": Mode("Radiosity", "B = E + R F B"),
-    "pyrender": Mode("pyrender", "metallic-roughness, at each pixel"),
+    "pyrender": Mode("pyrender", "metallic-roughness,  at each pixel"),
 }
 OUTLINES = ("wireframe", "hidden-line")  # differences from them, or of them, mean nothing
 RADIOSITY = ("direct", "radiosity")

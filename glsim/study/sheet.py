@@ -81,8 +81,9 @@ def plain(text: str) -> str:
 class Grid:
     """Where things are on a sheet, in pixels, for pictures of width x height.
 
-    text: size of headings.  differences: "under" the pictures, "beside" them or "" for none.  heads: lines over the
-    columns, below their names.  labelled: whether rows have labels."""
+    text: size of headings.  differences: "under" the pictures with their numbers at the right, "beside" the pictures,
+    "stacked" under them with the numbers below, or "" for none.  heads: lines over the columns, below their names.
+    labelled: whether rows have labels."""
 
     columns: int
     rows: int
@@ -116,6 +117,8 @@ class Grid:
         """Room for the picture of a difference."""
         if self.differences == "beside":
             return max(round(SHARE * self.width), self.words[0]), max(self.height - self.words[1] - self.gap // 2, 8)
+        if self.differences == "stacked":
+            return self.width // 2, self.height // 2
         height = min(max(round(SHARE * self.height), self.words[1]), self.height)
         return round(height * self.width / self.height), height
 
@@ -125,6 +128,8 @@ class Grid:
         width, height = self.difference
         if self.differences == "beside":
             return self.width + self.gap // 2 + width, self.height
+        if self.differences == "stacked":
+            return max(self.width, self.words[0]), self.height + self.gap // 2 * 2 + height + self.words[1]
         if self.differences == "under":
             return max(self.width, width + self.gap + self.words[0]), self.height + self.gap // 2 + max(
                 height, self.words[1]
@@ -171,7 +176,7 @@ def _head(comparison: Comparison, column: Value, grid: Grid) -> list[Image.Image
 def _largest(comparison: Comparison, page: tuple[int, int], text: int, ratio: float) -> Grid:
     """The grid with the largest pictures that fits a page.  ratio: of the pictures' height to their width."""
     grids = []
-    for where in ("under", "beside"):
+    for where in ("under", "beside", "stacked"):
         width = page[0]
         while width > 16:
             grid = _grid(comparison, width, max(round(width * ratio), 1), text, where)
@@ -261,8 +266,8 @@ def _difference(
     if comparison.has_difference(*key):
         picture = scaled(amplified(comparison.difference(*key), comparison.amplified), *grid.difference)
         sheet.paste(picture, (x, y))
-        beside = grid.differences == "beside"
-        x, y = (x, y + picture.height + grid.gap // 2) if beside else (x + picture.width + grid.gap, y)
+        right = grid.differences == "under"
+        x, y = (x + picture.width + grid.gap, y) if right else (x, y + picture.height + grid.gap // 2)
     for k, text in enumerate(comparison.difference_words(*key)):
         sheet.paste(fitted(text, grid.small, grid.words[0], FAINT)[0], (x, y + k * grid.line))
 
