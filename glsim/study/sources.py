@@ -64,10 +64,11 @@ class Drawn(Source):
     def __init__(self, title: str, draw: Callable[..., object], size: int) -> None:
         self.title, self.draw, self.width, self.height = title, draw, size, size
         self.parameters = parameters_of(draw)
-        self.frames: dict[Arguments, Frame] = {}
+        self.frames: dict[tuple[tuple[str, int], ...], Frame] = {}
 
     def frame(self, arguments: Arguments, screen: Offscreen, calls: bool) -> Frame:
-        if arguments not in self.frames:
+        key = tuple((name, id(value)) for name, value in arguments)  # the axes hold the values
+        if key not in self.frames:
             draw = self.drawing(dict(arguments))
             screen.reset()
             screen.make_current()
@@ -75,8 +76,8 @@ class Drawn(Source):
                 draw()
             if not frame.packets:
                 raise ValueError(f"compare: {self.title} draws nothing here: does it open a context of its own?")
-            self.frames[arguments] = frame
-        return self.frames[arguments]
+            self.frames[key] = frame
+        return self.frames[key]
 
     def forget(self) -> None:
         self.frames.clear()
@@ -213,6 +214,8 @@ def source_of(what: Any, wanted: Wanted, radiosity: bool, tell: Callable[[str], 
             raise ValueError("compare: a program sets its own lights, material and camera; --sweep light=... moves one")
         tell(f"running {Path(what).name}")
         frame = frame_of_program(what, calls=wanted.calls, timeout=wanted.timeout, size=wanted.size)
+        if frame.error and not frame.packets:
+            raise ValueError(f"compare: {what} gives no picture: {frame.error}")
         return Still(Path(what).name, frame)
     if is_scene(what):
         if wanted.own:

@@ -85,7 +85,7 @@ class Studio:
             size = self.source.width, self.source.height
             note = self.remarks.setdefault
             drawn = pictures(list(physical.values()), *size, samples=self.samples, note=note)
-            cells |= {key: Cell(picture) for key, picture in zip(physical, drawn, strict=True)}
+            cells |= {key: Cell(self.source.finished(picture)) for key, picture in zip(physical, drawn, strict=True)}
         return cells
 
     def _frame(self, setting: Setting) -> tuple[Frame, list[Change]]:

@@ -179,6 +179,16 @@ def test_a_function_is_swept_by_its_parameters() -> None:
     images = compare(square, modes="unlit", sweep={"half": [0.25, 0.5]}, size=64).images
     assert [int(picture[..., 0].astype(bool).sum()) for picture in images.values()] == [16 * 16, 32 * 32]
 
+    def fan(points: list[tuple[float, float]]) -> None:
+        glBegin(GL_TRIANGLE_FAN)
+        for point in points:
+            glVertex2f(*point)
+        glEnd()
+
+    shapes = [[(0, 0), (1, 0), (0, 1)], np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])]
+    fans = compare(fan, modes="unlit,wireframe", sweep={"points": shapes}, size=32).images
+    assert [bool(picture[20, 4].any()) for (_, mode), picture in fans.items() if mode == "unlit"] == [False, True]
+
 
 def test_an_animation_is_a_third_axis(tmp_path: Path) -> None:
     result = compare("teapot:2", modes="phong", lobes="blinn", size=48, animate="turntable", frames=4)
