@@ -145,10 +145,13 @@ class Comparison:
         from glsim.web.page import Picture, Strip
 
         found = []
+        images = self.images
         for row in self.rows.values:
-            columns = [column for column in self.columns.values if (row.name, column.name) in self.images]
+            columns = [column for column in self.columns.values if (row.name, column.name) in images]
+            if not columns:
+                continue
             pictures = [
-                Picture(plain(column.label), self.images[row.name, column.name],
+                Picture(plain(column.label), images[row.name, column.name],
                         plain(".  ".join(filter(None, (self.captions.get(column.name, ""), column.formula)))),
                         (equations or {}).get((row.name, column.name)))
                 for column in columns
@@ -182,7 +185,8 @@ class Comparison:
             from glsim.web.page import page
 
             found = equations(self.cells, progress or (lambda words: None))
-            write_text(path, page(f"{self.title}: a comparison", self.strips(found), plain(self.legend)))
+            about = "\n\n".join(filter(None, (plain(self.legend), *self.notes)))
+            write_text(path, page(f"{self.title}: a comparison", self.strips(found), about))
         elif ending == ".gif":
             if not self.film:
                 raise ValueError(f'{path}: nothing moves: compare(..., animate="turntable") makes an animation')

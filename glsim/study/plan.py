@@ -90,7 +90,10 @@ def planned(
         looks = _with_lobes(looks, lobes)
         lobes = lobes[:1]
     named = any(one.lobe for one in looks.values())
-    lobes = lobes or (["blinn"] if swept or named else list(LOBES))
+    driver = all(one.mode == "native" for one in looks.values())  # which has no other lobe
+    lobes = lobes or (["blinn"] if swept or named or driver else list(LOBES))
+    if looks and driver and not given and "blinn" not in lobes:
+        raise ValueError("compare: the driver's fixed function has the lobe blinn only")
     start = Setting(lobe=lobes[0])
     if not looks:
         return Plan(Axis("picture", ax.picture_values(given)), Axis("", (Value("", "", ax.putting()),)), start, "")

@@ -62,6 +62,17 @@ def test_back_lighting_is_the_drivers(native: Native, back: str) -> None:
     assert ("phong", f"native:{back}") not in result.images
 
 
+def test_the_driver_alone(native: Native, tmp_path: Path) -> None:
+    result = compare("cube", modes="native", size=32)
+    assert list(result.images) == [("blinn", "native")]
+    result.save(tmp_path / "page.html")
+    both = compare("cube", modes="native", lobes="blinn,phong", size=32)
+    assert [strip.title for strip in both.strips()] == ["Blinn-Torrance  (N·H)ⁿ"]
+    assert both.sheet.size[1] > 64
+    with pytest.raises(ValueError, match="has the lobe blinn only"):
+        compare("cube", modes="native", lobes="phong", size=32)
+
+
 def test_flip_lights_what_looks_away() -> None:
     images = compare(open_shell, modes="phong:clamp,phong:flip,phong:two-sided", lobes="blinn", size=96).images
     clamp, flip, two = (images["blinn", f"phong:{back}"].astype(int) for back in ("clamp", "flip", "two-sided"))
