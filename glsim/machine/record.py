@@ -43,7 +43,7 @@ class Recorder:
         if name in HOT:
             return self._hot(name, arguments)
         machine = self.machine
-        self.note(name, kept(name, arguments))
+        self.note(name, frozen_arguments(name, arguments))
         packets, first = machine.packets, len(machine.packets)
         machine.recorder, machine.busy = None, machine.inside is not None
         try:
@@ -65,7 +65,7 @@ class Recorder:
             where = users_line(caller)
             if where is not None and where[:2] == (line[0].co_filename, line[1]):
                 self.lines[line] = where
-        arguments = kept(name, arguments)
+        arguments = frozen_arguments(name, arguments)
         self.calls.append(new_call(Call, (name, arguments, where)))
         machine = self.machine
         machine.recorder = None
@@ -152,7 +152,7 @@ class ListRecorder:
         self.outer: Recorder | None = None
 
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
-        given, arguments = arguments, kept(name, arguments)
+        given, arguments = arguments, frozen_arguments(name, arguments)
         if self.outer is not None:
             self.outer.note(name, arguments)
         if name in NEVER_LISTED:
@@ -223,7 +223,7 @@ def with_indices(machine: Machine, name: str, arguments: tuple[Any, ...]) -> tup
 PLAIN = frozenset((int, float, bool, Enum))
 
 
-def kept(name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+def frozen_arguments(name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
     """Copies of the arguments that the program cannot change later."""
     if name in NUMBERS_ONLY and PLAIN.issuperset(map(type, arguments)):
         return arguments
@@ -235,9 +235,9 @@ def kept(name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
 
 def python_arguments(command: Command, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
     """The arguments of a call with Python's numbers instead of ctypes', and an array for a pointer of known length."""
-    given = tuple(map(plain, arguments))
-    wanted = [numbers_wanted(command, given, place) for place in range(min(len(command.arguments), len(given)))]
-    return (*map(plain, given, wanted), *given[len(wanted) :])
+    converted = tuple(map(plain, arguments))
+    wanted = [numbers_wanted(command, converted, place) for place in range(min(len(command.arguments), len(converted)))]
+    return (*map(plain, converted, wanted), *converted[len(wanted) :])
 
 
 def frozen(argument: Any) -> Any:

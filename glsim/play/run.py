@@ -181,8 +181,8 @@ def _hung_at(stack: str, script: str) -> int | None:
     except (OSError, ValueError):
         return None
     name = script.encode("ascii", "backslashreplace").decode()
-    found = re.search(rf'File "{re.escape(name)}", line (\d+) ', text)
-    return int(found[1]) if found else None
+    match = re.search(rf'File "{re.escape(name)}", line (\d+) ', text)
+    return int(match[1]) if match else None
 
 
 # ---------------------------------------------------------------- animations

@@ -138,8 +138,8 @@ class Radiosity:
         values /= np.maximum(weight, 1.0)
         bright = max(float(np.quantile(values[values > 0.0], 0.95)), 1e-300) if values.any() else 1.0
         shown = np.repeat(np.minimum(values / bright, 1.0)[:, None] ** (1.0 / GAMMA), 3, axis=1)
-        own = np.unique(self.mesh.triangles[self.mesh.triangle_patch == patch])
-        shown[own] = (1.0, 0.5, 0.0)
+        corners = np.unique(self.mesh.triangles[self.mesh.triangle_patch == patch])
+        shown[corners] = (1.0, 0.5, 0.0)
         return self.picture(size, view, colors=shown)
 
     def convergence_picture(self) -> Image.Image:

@@ -80,7 +80,7 @@ def _equation(e: Evaluation, several: bool) -> Iterator[str]:
     yield f"  N = {_three(e.N)}"
     if any(e.emission):
         yield f"  emission {_three(e.emission)}"
-    yield f"  k_a I_a = {_three(e.glow)}"
+    yield f"  k_a I_a = {_three(e.ambient)}"
     for light in e.lights:
         yield from _light(light, e.n)
     yield f"  I = {_three(e.sum)}"

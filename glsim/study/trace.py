@@ -13,7 +13,7 @@ from glsim.machine.state import Lighting
 from glsim.play.frames import frame_of
 from glsim.study.mistakes import CHECKED, Detector, Mistake
 from glsim.study.provenance import LOAD_FAMILIES, MULTIPLY_FAMILIES, NAMES, History, Step, value_at
-from glsim.study.text import call_text, matrix_text, plain, value_text
+from glsim.study.text import as_json, call_text, matrix_text, value_text
 
 
 @dataclass(frozen=True)
@@ -52,8 +52,8 @@ class Trace:
 
     def as_dict(self) -> dict[str, Any]:
         return {
-            "calls": plain(self.entries),
-            "mistakes": [{**entry._asdict(), "where": plain(entry.where)} for entry in self.mistakes],
+            "calls": as_json(self.entries),
+            "mistakes": [{**entry._asdict(), "where": as_json(entry.where)} for entry in self.mistakes],
             "checked": CHECKED,
         }
 

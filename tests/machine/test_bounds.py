@@ -14,7 +14,7 @@ from glsim.gl import *
 from glsim.glu import *
 from glsim.glut import *
 from glsim.machine import machine as machine_module
-from glsim.machine.kept import kept, size_of
+from glsim.machine.cache import cached, size_of
 
 
 def peak(work: Callable[[], object]) -> float:
@@ -131,7 +131,7 @@ def test_bitmaps_far_apart(screen: glsim.Offscreen) -> None:
 def test_shapes_are_kept_up_to_a_number_of_bytes() -> None:
     calls: list[int] = []
 
-    @kept(1_000_000)
+    @cached(1_000_000)
     def shape(n: int) -> tuple[np.ndarray[Any, Any], ...]:
         calls.append(n)
         return np.zeros(n, np.uint8), np.zeros((n, 2), np.uint8)

@@ -188,7 +188,7 @@ def test_contexts_of_threads_that_ended_are_released(screen: glsim.Offscreen) ->
         own = glsim.offscreen(8, 8)
         glRectf(-1, -1, 1, 1)
         own.pixels()
-        return own.ctx, own._opened.loader
+        return own.ctx, own._driver.loader
 
     opened = [in_a_thread(work)[0] for _ in range(5)]
     gc.collect()

@@ -11,7 +11,7 @@ import pytest
 import glsim
 from glsim.gl import *
 from glsim.glu import gluLookAt, gluPerspective
-from glsim.glut.shapes import glutSolidCube
+from glsim.glut.polyhedra import glutSolidCube
 from glsim.play.capture import capture
 from glsim.study.mistakes import CHECKED, DIAGNOSES
 from tests.drawing import captured, lit

@@ -220,7 +220,7 @@ def test_the_terms_of_the_evaluation(screen: glsim.Offscreen) -> None:
     assert light.power == pytest.approx(0.9**5)
     assert light.diffuse == pytest.approx((0.16, 0.24, 0.08))
     assert light.specular == pytest.approx([0.9 * 0.9**5] * 3)
-    total = np.sum([evaluation.emission, evaluation.glow, light.ambient, light.diffuse, light.specular], axis=0)
+    total = np.sum([evaluation.emission, evaluation.ambient, light.ambient, light.diffuse, light.specular], axis=0)
     assert evaluation.sum == pytest.approx(total)
 
 
