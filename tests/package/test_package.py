@@ -17,6 +17,7 @@ import pytest
 
 import glsim
 from glsim.play.frames import frame_of
+from glsim.web.page import SCRIPTS
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -47,6 +48,7 @@ def test_the_wheel_has_shaders_and_lessons_and_nothing_else(dist: Path) -> None:
         for path in (ROOT / kind).iterdir():
             assert path.is_dir() or f"glsim/{kind}/{path.name}" in names
     assert {f"glsim/{library}/__init__.pyi" for library in ("gl", "glu", "glut")} <= set(names)
+    assert {f"glsim/web/{name}" for name in ("compare.css", "page.css", *SCRIPTS)} <= set(names)
     assert {"glsim/py.typed", "glsim/gl/manual.txt"} <= set(names)
     assert not [name for name in names if not name.startswith(("glsim/", "glsim-"))]
     with tarfile.open(next(dist.glob("*.tar.gz"))) as sdist:
