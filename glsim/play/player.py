@@ -241,7 +241,10 @@ class Player:
             flushed(screen)
         packets, calls = self.swapped if window and window.double and self.swapped[0] else (None, None)
         frame.width, frame.height = screen.width, screen.height
-        shown = replace(frame, packets=needed(frame.packets[:packets]), calls=frame.calls[:calls])
+        unswapped = window is not None and window.double and not window.swapped
+        shown = replace(
+            frame, packets=needed(frame.packets[:packets]), calls=frame.calls[:calls], unswapped=unswapped
+        )
         archive.save(shown, self.plan.capture)
 
     def _finish(self) -> None:

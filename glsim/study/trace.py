@@ -11,7 +11,7 @@ from glsim.machine.frame import Call, Draw, Frame, Where
 from glsim.machine.record import REGISTERS_ONLY
 from glsim.machine.state import Lighting
 from glsim.play.frames import frame_of
-from glsim.study.mistakes import CHECKED, Detector, Mistake
+from glsim.study.mistakes import Detector, Mistake, checked
 from glsim.study.provenance import LOAD_FAMILIES, MULTIPLY_FAMILIES, NAMES, History, Step, value_at
 from glsim.study.text import call_text, matrix_text, plain, value_text
 
@@ -54,7 +54,7 @@ class Trace:
         return {
             "calls": plain(self.entries),
             "mistakes": [{**entry._asdict(), "where": plain(entry.where)} for entry in self.mistakes],
-            "checked": CHECKED,
+            "checked": checked(),
         }
 
 
@@ -79,11 +79,11 @@ def _traced(frame: Frame) -> tuple[list[Entry], list[Mistake]]:
     run: list[tuple[int, Call]] = []
     colors = Colors()
     for step in History(frame).walk():
-        number, call, before, after = step[:4]
-        mistakes += detector.call(number, call, before, after)
+        number, call, after = step.number, step.call, step.after
+        mistakes += detector.call(step)
         made = draws.get(number, [])
         for draw in [draw for draw in made if draw.trail == step.trail or not step.trail]:
-            mistakes += detector.draw(draw, step.provenance, after)
+            mistakes += detector.draw(draw, step)
             colors.used(draw.state.lighting)
             made.remove(draw)
         if step.trail:

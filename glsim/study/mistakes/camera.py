@@ -1,0 +1,233 @@
+"""Mistakes with the projection and the camera: their matrices and their order."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+
+from glsim.files import read_regular
+from glsim.machine.frame import Call, Where
+from glsim.study.mistakes.rules import Findings, Rule, Seen, is_look_at, is_perspective, rule, via
+from glsim.study.provenance import BEFORE, Step
+from glsim.study.text import call_text
+
+CALLBACKS = ("glutDisplayFunc", "glutReshapeFunc", "glutIdleFunc", "glutTimerFunc")
+
+
+def is_flat(call: Call) -> bool:
+    """Whether this gluLookAt made a matrix with a zero axis."""
+    return is_look_at(call) and not np.asarray(call.arguments[0]).reshape(4, 4)[:3, :3].any(axis=0).all()
+
+
+@rule
+class UpAlongView(Rule):
+    """Silent unless the matrix of gluLookAt flattens the scene."""
+
+    kind, topic = "up-along-view", "camera"
+    looks_at = "an up of gluLookAt along the view"
+    sentence = (
+        "{camera}: up is parallel to the direction of view, or eye and centre are the same point, so nobody knows where"
+        " right is, and nothing is seen: choose another up, such as (0, 0, -1) for a view from above"
+    )
+    commands = frozenset({"glMultMatrix"})
+
+    def on_call(self, step: Step) -> Findings:
+        if is_flat(step.call):
+            yield step.number, {"camera": via(step.call)}
+
+
+@rule
+class CameraInProjection(Rule):
+    """Also found where the camera was written with glTranslate, glRotate or a matrix: the projection's w then depends
+    on more than z; that is said only with light or fog.  Silent if nothing is drawn with it, for parallel projections that
+    are turned, and for the shift of a stereo pair."""
+
+    kind, topic = "camera-in-projection", "camera"
+    looks_at = "a camera in GL_PROJECTION"
+    sentence = (
+        "{call} is in the projection matrix: lighting, fog, clip planes and generated texture coordinates do not know"
+        " where the camera is, so highlights and fog are wrong; call glMatrixMode(GL_MODELVIEW) before it"
+    )
+
+    def on_draw(self, seen: Seen) -> Findings:
+        named = self.calls_of(seen.projection_calls, is_look_at)
+        x, y, z, w = seen.draw.matrices[1].get()[:, 3].tolist()  # clip w = (x, y, z, w) . eye coordinates
+        moved = z != 0.0 and max(abs(x), abs(y), abs(w)) > 1e-6 * abs(z)
+        own = [call for call in seen.projection_calls if call != BEFORE]
+        if named:
+            yield named[0], {"call": via(self.frame.calls[named[0]])}
+        elif moved and own and (seen.lit or seen.state.fog.enabled):
+            yield own[-1], {"call": call_text(self.frame.calls[own[-1]])}
+
+
+@rule
+class ProjectionInModelview(Rule):
+    """Silent where the modelview holds such a matrix and nothing is drawn with it; for a projective matrix that is
+    neither gluPerspective nor glFrustum (a planar shadow), also where lighting is off."""
+
+    kind, topic = "projection-in-modelview", "camera"
+    looks_at = "a projection in the modelview matrix"
+    sentence = (
+        "{call} is in the modelview matrix: lighting, fog and clip planes see positions and normals that perspective"
+        " has bent; call glMatrixMode(GL_PROJECTION) before it, and glMatrixMode(GL_MODELVIEW) after it"
+    )
+
+    def on_draw(self, seen: Seen) -> Findings:
+        if not seen.bent or not len(seen.chosen):
+            return
+        chain = [call for call in seen.modelview_calls if call != BEFORE]
+        named = self.calls_of(chain, is_perspective)
+        if named:
+            yield named[0], {"call": via(self.frame.calls[named[0]]) or self.frame.calls[named[0]].name}
+        elif seen.lit:
+            yield (chain[-1] if chain else seen.call), {"call": "a perspective projection"}
+
+
+@rule
+class RotationBeforeCamera(Rule):
+    """Silent for a turn about z (the camera is tilted), and for glTranslate (a stereo pair)."""
+
+    kind, topic = "rotation-before-camera", "camera"
+    looks_at = "a rotation before gluLookAt"
+    sentence = (
+        "{call} comes before {camera}: it turns the world about the eye, as if the camera looked elsewhere; if the"
+        " object shall turn, call it after gluLookAt"
+    )
+
+    def on_draw(self, seen: Seen) -> Findings:
+        chain = seen.modelview_calls
+        cameras = self.calls_of(chain, is_look_at)
+        if len(cameras) != 1:  # several: see CameraAgain
+            return
+        for number in self.calls_of(chain[: chain.index(cameras[0])], lambda call: call.name.startswith("glRotate")):
+            _, x, y, _ = self.frame.calls[number].arguments[:4]
+            if x or y:
+                camera = via(self.frame.calls[cameras[0]]) + self.line(cameras[0])
+                yield number, {"call": call_text(self.frame.calls[number]), "camera": camera}
+
+
+@rule
+class CameraAgain(Rule):
+    """gluLookAt on top of another, or in a function that GLUT calls again and again, without glLoadIdentity or
+    glPushMatrix.  Silent if it is not known that the function is called again."""
+
+    kind, topic = "camera-again", "camera"
+    looks_at = "gluLookAt without glLoadIdentity"
+    sentence = (
+        "{camera} is multiplied to what the modelview matrix holds from the time before: call glLoadIdentity before it"
+    )
+
+    def on_draw(self, seen: Seen) -> Findings:
+        yield from again(self, seen, "modelview", is_look_at, "camera")
+
+
+@rule
+class PerspectiveAgain(Rule):
+    """gluPerspective or glFrustum on top of another, or in a function that GLUT calls again and again, without
+    glLoadIdentity or glPushMatrix.  Silent if it is not known that the function is called again."""
+
+    kind, topic = "perspective-again", "camera"
+    looks_at = "gluPerspective without glLoadIdentity"
+    sentence = (
+        "{call} is multiplied to what the projection matrix holds from the time before, when the window gets another"
+        " size or picture: call glLoadIdentity before it"
+    )
+
+    def on_draw(self, seen: Seen) -> Findings:
+        yield from again(self, seen, "projection", is_perspective, "call")
+
+
+def again(self: Rule, seen: Seen, stack: str, is_it: Callable[[Call], bool], word: str) -> Findings:
+    """The last such call in a product that begins with no glLoadIdentity or glLoadMatrix, or that has two of them."""
+    matrices = seen.provenance.chains[stack]
+    named = self.calls_of(matrices[-1], is_it)
+    if not named:
+        return
+    first = matrices[-1][0]
+    loaded = first == BEFORE or self.frame.calls[first].name.startswith("glLoad")
+    if len(named) > 1 or (not loaded and len(matrices) == 1 and repeated(self.frame.calls[named[-1]].where)):
+        call = self.frame.calls[named[-1]]
+        yield named[-1], {word: via(call) or call_text(call)}
+
+
+def repeated(where: Where | None) -> bool:
+    """Whether a line of the program is in a function that GLUT calls each time."""
+    return where is not None and any(first <= where.line <= last for first, last in _callbacks(where.file))
+
+
+@cache
+def _callbacks(file: str) -> list[tuple[int, int]]:
+    """The lines (first, last) of the functions that a program gives to glutDisplayFunc and the like."""
+    try:
+        tree = ast.parse(read_regular(file, 1 << 20))
+    except (OSError, ValueError, SyntaxError, RecursionError):
+        return []
+    names = {
+        argument.id if isinstance(argument, ast.Name) else argument.attr
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call) and ast.unparse(node.func).rpartition(".")[2] in CALLBACKS
+        for argument in node.args
+        if isinstance(argument, (ast.Name, ast.Attribute))
+    }
+    functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) and node.name in names]
+    return [(node.lineno, node.end_lineno or node.lineno) for node in functions]
+
+
+@rule
+class NearPlane(Rule):
+    """Silent for near planes in front of the eye."""
+
+    kind, topic = "near-plane", "camera"
+    looks_at = "a near plane at or behind the eye"
+    sentence = (
+        "{call}: the near plane is at {near:g}; it must be in front of the eye, more than 0, or depth has no resolution"
+    )
+    commands = frozenset({"glFrustum", "glMultMatrix"})
+
+    def on_call(self, step: Step) -> Findings:
+        near = near_of(step.call) if is_perspective(step.call) else None
+        if near is not None and near <= 0.0:
+            yield step.number, {"call": via(step.call) or call_text(step.call), "near": near}
+
+
+def near_of(call: Call) -> float | None:
+    """The near plane of glFrustum or gluPerspective."""
+    if call.name == "glFrustum":
+        return float(call.arguments[4])
+    if not call.name.startswith("glMultMatrix"):
+        return None
+    m = np.asarray(call.arguments[0], float).reshape(4, 4)
+    return float(m[3, 2] / (m[2, 2] - 1.0)) if m[2, 2] != 1.0 else None
+
+
+@rule
+class CoarseDepth(Rule):
+    """What the depth buffer of 24 bits tells apart at a distance z is z^2 / (near 2^24).  Silent without a depth test,
+    while that is below 1/2000 of z for the middle one of the vertices, and if far is below 100,000 times near."""
+
+    kind, topic = "coarse-depth", "camera"
+    looks_at = "a near plane so close that depth becomes coarse"
+    sentence = (
+        "near is {near:.3g} and far {far:.3g}: at distance {z:.3g}, where this is drawn, the depth buffer tells apart"
+        " only what is {step:.2g} apart; move the near plane away from the eye, to {better:.1g} or so"
+    )
+
+    def on_draw(self, seen: Seen) -> Findings:
+        m = seen.draw.matrices[1].get().astype(np.float64)  # its columns as rows
+        if not seen.state.depth.test or m[2, 3] != -1.0 or not seen.areas or seen.bent or m[2, 2] == 1.0:
+            return
+        near = m[3, 2] / (m[2, 2] - 1.0)
+        far = m[3, 2] / (m[2, 2] + 1.0) if abs(m[2, 2] + 1.0) > 1e-9 else np.inf
+        z = -seen.surface.points[..., 2]
+        z = z[z > near]
+        if not len(z) or near <= 0.0 or abs(far) < 1e5 * near:
+            return
+        middle = float(np.median(z))
+        step = middle**2 / (near * 2**24)
+        if step > middle / 2000:
+            own = [call for call in seen.projection_calls if call != BEFORE]
+            words = {"near": near, "far": far, "z": middle, "step": step, "better": middle / 100}
+            yield (own[-1] if own else seen.call), words
