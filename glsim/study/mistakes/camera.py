@@ -27,7 +27,7 @@ class UpAlongView(Rule):
     """Silent unless the matrix of gluLookAt flattens the scene."""
 
     kind, topic = "up-along-view", "camera"
-    looks_at = "an up of gluLookAt along the view"
+    looks_at = "gluLookAt's up along the view"
     sentence = (
         "{camera}: up is parallel to the direction of view, or eye and centre are the same point, so nobody knows where"
         " right is, and nothing is seen: choose another up, such as (0, 0, -1) for a view from above"
@@ -42,8 +42,8 @@ class UpAlongView(Rule):
 @rule
 class CameraInProjection(Rule):
     """Also found where the camera was written with glTranslate, glRotate or a matrix: the projection's w then depends
-    on more than z; that is said only with light or fog.  Silent if nothing is drawn with it, for parallel projections that
-    are turned, and for the shift of a stereo pair."""
+    on more than z; that is said only with light or fog.  Silent if nothing is drawn with it, for parallel projections
+    that are turned, for the shift of a stereo pair, and for two projections (see PerspectiveAgain)."""
 
     kind, topic = "camera-in-projection", "camera"
     looks_at = "a camera in GL_PROJECTION"
@@ -57,16 +57,18 @@ class CameraInProjection(Rule):
         x, y, z, w = seen.draw.matrices[1].get()[:, 3].tolist()  # clip w = (x, y, z, w) . eye coordinates
         moved = z != 0.0 and max(abs(x), abs(y), abs(w)) > 1e-6 * abs(z)
         own = [call for call in seen.projection_calls if call != BEFORE]
+        twice = len(self.calls_of(own, is_perspective)) > 1
         if named:
             yield named[0], {"call": via(self.frame.calls[named[0]])}
-        elif moved and own and (seen.lit or seen.state.fog.enabled):
+        elif moved and own and not twice and (seen.lit or seen.state.fog.enabled):
             yield own[-1], {"call": call_text(self.frame.calls[own[-1]])}
 
 
 @rule
 class ProjectionInModelview(Rule):
     """Silent where the modelview holds such a matrix and nothing is drawn with it; for a projective matrix that is
-    neither gluPerspective nor glFrustum (a planar shadow), also where lighting is off."""
+    neither gluPerspective nor glFrustum (a planar shadow), and for glOrtho (pixel coordinates), also where lighting is
+    off."""
 
     kind, topic = "projection-in-modelview", "camera"
     looks_at = "a projection in the modelview matrix"
@@ -76,13 +78,12 @@ class ProjectionInModelview(Rule):
     )
 
     def on_draw(self, seen: Seen) -> Findings:
-        if not seen.bent or not len(seen.chosen):
-            return
         chain = [call for call in seen.modelview_calls if call != BEFORE]
-        named = self.calls_of(chain, is_perspective)
-        if named:
+        parallel = self.calls_of(chain, lambda call: call.name == "glOrtho") if seen.lit else []
+        named = self.calls_of(chain, is_perspective) or parallel
+        if named and (seen.bent or parallel):
             yield named[0], {"call": via(self.frame.calls[named[0]]) or self.frame.calls[named[0]].name}
-        elif seen.lit:
+        elif seen.lit and seen.bent:
             yield (chain[-1] if chain else seen.call), {"call": "a perspective projection"}
 
 
@@ -181,7 +182,7 @@ class NearPlane(Rule):
     """Silent for near planes in front of the eye."""
 
     kind, topic = "near-plane", "camera"
-    looks_at = "a near plane at or behind the eye"
+    looks_at = "near <= 0"
     sentence = (
         "{call}: the near plane is at {near:g}; it must be in front of the eye, more than 0, or depth has no resolution"
     )
@@ -209,7 +210,7 @@ class CoarseDepth(Rule):
     while that is below 1/2000 of z for the middle one of the vertices, and if far is below 100,000 times near."""
 
     kind, topic = "coarse-depth", "camera"
-    looks_at = "a near plane so close that depth becomes coarse"
+    looks_at = "near too close to the eye"
     sentence = (
         "near is {near:.3g} and far {far:.3g}: at distance {z:.3g}, where this is drawn, the depth buffer tells apart"
         " only what is {step:.2g} apart; move the near plane away from the eye, to {better:.1g} or so"

@@ -21,7 +21,7 @@ class MissingBuffer(Rule):
     """Silent if the window has the buffer."""
 
     kind, topic = "missing-buffer", TOPIC
-    looks_at = "a depth or stencil test without its buffer"
+    looks_at = "a depth or stencil test without a buffer"
     sentence = "{test} has no effect, because the window has no {buffer} buffer: add {flag} to glutInitDisplayMode"
 
     def on_draw(self, seen: Seen) -> Findings:
@@ -36,7 +36,7 @@ class DepthNotCleared(Rule):
     """Silent with GL_ALWAYS, and if the depth buffer is cleared within 15 lines of the colours."""
 
     kind, topic = "depth-not-cleared", TOPIC
-    looks_at = "GL_DEPTH_TEST with a depth buffer that is never cleared"
+    looks_at = "a depth buffer that is never cleared"
     sentence = (
         "GL_DEPTH_TEST is on, but this glClear leaves the depth buffer as it is: the next frame is hidden behind this"
         " one; add GL_DEPTH_BUFFER_BIT"
@@ -97,7 +97,7 @@ class NoDepthTest(Rule):
     colours (passes); for pictures in the right order and at one depth; and beyond 20,000 triangles."""
 
     kind, topic = "no-depth-test", TOPIC
-    looks_at = "surfaces that overlap without GL_DEPTH_TEST"
+    looks_at = "overlap without GL_DEPTH_TEST"
     sentence = (
         "{what} is drawn over what is nearer to the eye, because GL_DEPTH_TEST is off: glEnable(GL_DEPTH_TEST), with"
         " GLUT_DEPTH and glClear(GL_DEPTH_BUFFER_BIT)"

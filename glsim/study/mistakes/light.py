@@ -39,7 +39,7 @@ class BlackLight(Rule):
     """Silent for GL_LIGHT0, and as soon as one colour of the light is not black or its diffuse colour was set."""
 
     kind, topic = "black-light", "light"
-    looks_at = "GL_LIGHT1 to 7 that keep their black colours"
+    looks_at = "GL_LIGHT1 to 7 left black"
     sentence = (
         "GL_LIGHT{light} is enabled, but black: unlike GL_LIGHT0, whose colours are white, it shines only after"
         " glLightfv(GL_LIGHT{light}, GL_DIFFUSE, (1, 1, 1, 1))"
@@ -79,7 +79,7 @@ class LightBeforeCamera(Rule):
     """Silent for a light at the eye or along the view (a headlight)."""
 
     kind, topic = "light-before-camera", "light"
-    looks_at = "a light that is placed before gluLookAt"
+    looks_at = "a light placed before gluLookAt"
     sentence = (
         "the position of GL_LIGHT{light} was set before {camera}: it is fixed to the camera; if it shall stay in the"
         " world, set GL_POSITION after gluLookAt"
@@ -111,7 +111,7 @@ class NoSpecular(Rule):
     if one has, by glMaterial or by glColorMaterial, and where the program made it black itself."""
 
     kind, topic = "no-k_s", "light"
-    looks_at = "a specular light or a shininess without k_s"
+    looks_at = "specular light without k_s"
     sentence = (
         "{cause} has no effect: GL_SPECULAR of the material is black, as it is at the start, so there is no highlight;"
         " call glMaterialfv(GL_FRONT, GL_SPECULAR, ...)"

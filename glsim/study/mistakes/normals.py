@@ -128,7 +128,7 @@ class HighlightLost(Rule):
     specular terms of the vertices by at least 0.25.  Silent below that, and without GL_SMOOTH."""
 
     kind, topic = "highlight-lost", TOPIC
-    looks_at = "highlights that GL_SMOOTH loses between the vertices"
+    looks_at = "highlights lost between vertices"
     sentence = (
         "the highlight is lost between the vertices: inside a triangle it would be {inside:.2f}, interpolated it is"
         " {interpolated:.2f}; use more vertices, or glShadeModel(GL_PHONG_WIN)"

@@ -18,7 +18,7 @@ class IncompleteTexture(Rule):
     """Silent for texture 0 without an image, which is a way to switch textures off."""
 
     kind, topic = "incomplete-texture", "texture"
-    looks_at = "an incomplete texture, as without mipmaps"
+    looks_at = "a texture without its mipmaps or image"
     sentence = "this is drawn as if it had no texture, because the texture is not complete: {cause}"
 
     def on_draw(self, seen: Seen) -> Findings:
@@ -52,7 +52,7 @@ class ReplacedLight(Rule):
     brings the light back, and with GL_SEPARATE_SPECULAR_COLOR."""
 
     kind, topic = "texture-replaces-light", "texture"
-    looks_at = "a GL_REPLACE texture that hides the lighting"
+    looks_at = "GL_REPLACE that hides lighting"
     sentence = (
         "GL_LIGHTING is on, but the texture replaces the lit colour ({mode}), so the light has no effect:"
         " glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE)"

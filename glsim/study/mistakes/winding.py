@@ -159,7 +159,7 @@ class NormalsAway(Rule):
     which without GL_CULL_FACE and two-sided lighting changes nothing."""
 
     kind, topic = "normals-away", TOPIC
-    looks_at = "normals that point away from the side that is seen"
+    looks_at = "normals that face away"
     sentence = (
         "the normals of {count} point to the back{where_to}, so the side that is seen gets no light: turn the normals"
         " round"
@@ -190,7 +190,7 @@ class NormalsOpposed(Rule):
     without two-sided lighting."""
 
     kind, topic = "normals-opposed", TOPIC
-    looks_at = "normals against the order of the corners, with two-sided lighting"
+    looks_at = "two-sided lighting with normals against the winding"
     sentence = (
         "the corners of {count} run clockwise as seen from where the normals point, so two-sided lighting takes the"
         " front for the back and turns the normals the wrong way: turn the order round, or glFrontFace({other})"
