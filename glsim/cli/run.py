@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
+import tempfile
 from pathlib import Path
 from typing import Any
 
 from glsim.cli.options import count, lobe, positive, rectangle, shading
+
+MOST_CALLS = 10_000  # of the first picture, that are recorded to look for mistakes
 
 
 def add(commands: Any) -> None:
@@ -50,7 +54,11 @@ def _run(options: argparse.Namespace) -> int:
         not options.no_python2,
     )  # fmt: skip
     timeout = options.timeout or (None if options.window else 60.0)
-    record = run(plan, timeout)
+    with tempfile.TemporaryDirectory(prefix="glsim-") as folder:
+        plan.capture, plan.capture_calls, plan.most_calls = os.path.join(folder, "frame"), True, MOST_CALLS
+        plan.clicked = "glsim.cli.study:show_probe" if options.window else None
+        record = run(plan, timeout)
+        found = _mistakes(plan.capture, options.script)
     first = [Path(out or ".") / name for name in record["pictures"] if "_w" not in name]
     code = {"ok": 0, "interrupted": 130}.get(record["status"], 1)
     for kind, target in animations.items():
@@ -60,10 +68,35 @@ def _run(options: argparse.Namespace) -> int:
             record["notes"].append(f"--{kind}: {error}")
             code = code or 1
     if options.json:
-        print(json.dumps(record))
+        print(json.dumps({**record, "mistakes": found}))
     else:
         for note in record["notes"]:
             print(f"glsim run: {note}", file=sys.stderr)
         where = f", pictures in {out}" if record["pictures"] else ""
         print(f"{options.script}: {record['status']}, {record['frames']} frames{where}")
+        if found:
+            print(_in_a_line(options.script, found))
     return code
+
+
+def _mistakes(path: str, script: str) -> list[dict[str, Any]]:
+    """The classic mistakes in the first picture; none if it took more than MOST_CALLS calls or there is no picture."""
+    if not os.path.exists(path):
+        return []
+    from glsim.machine import archive
+    from glsim.study.trace import mistakes_of
+
+    try:
+        found = mistakes_of(archive.load(path))
+    except ValueError:
+        return []
+    return [
+        {"kind": one.kind, "what": one.looks_at, "line": one.where.line if one.where else None,
+         "sentence": one.sentence} for one in found
+    ]  # fmt: skip
+
+
+def _in_a_line(script: str, found: list[dict[str, Any]]) -> str:
+    first, others = found[0], len(found) - 1
+    line = f" (line {first['line']})" if first["line"] else ""
+    return f"glsim trace --mistakes {script} explains: {first['what']}{line}" + (f"; {others} more" if others else "")

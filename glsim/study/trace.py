@@ -67,6 +67,11 @@ def trace(what: Any, **options: Any) -> Trace:
     return Trace(*_traced(frame))
 
 
+def mistakes_of(frame: Frame) -> list[Mistake]:
+    """Only the mistakes in a Frame that was captured with calls."""
+    return _traced(frame)[1]
+
+
 def _traced(frame: Frame) -> tuple[list[Entry], list[Mistake]]:
     draws: dict[int, list[Draw]] = {}
     for draw in frame.draws:

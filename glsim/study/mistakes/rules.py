@@ -30,6 +30,11 @@ class Mistake(NamedTuple):
     call: int
     where: Where | None
 
+    @property
+    def looks_at(self) -> str:
+        """The mistake in a few words."""
+        return RULES[self.kind].looks_at
+
 
 @dataclass
 class Seen:
