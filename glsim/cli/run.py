@@ -12,7 +12,7 @@ from typing import Any
 
 from glsim.cli.options import count, lobe, positive, rectangle, shading
 
-MOST_CALLS = 10_000  # of the first picture, that are recorded to look for mistakes
+MOST_CALLS = 5_000  # of the first picture, that are recorded to look for mistakes
 
 
 def add(commands: Any) -> None:

@@ -38,6 +38,7 @@ from glsim.render.context import Offscreen, offscreen
 
 MOST_ERRORS = 5  # a program that fails so often is stopped
 MOST_SCREENS = 16  # of glsim.offscreen whose pictures are kept
+MOST_VERTICES = 20  # of the first picture, for each of Plan.most_calls
 MOST_PACKETS = 1 << 15  # of a picture, that are kept for clicks
 PATIENCE = 1.0  # seconds between two pictures that are saved within one step
 
@@ -287,7 +288,8 @@ class Player:
         frame.width, frame.height = screen.width, screen.height
         unswapped = window is not None and window.double and not window.swapped
         shown = replace(frame, packets=needed(frame.packets[:packets]), calls=frame.calls[:calls], unswapped=unswapped)
-        if shown.history or not self.plan.capture_calls:  # else recording was given up
+        most = self.plan.most_calls
+        if most is None or sum(draw.count for draw in shown.draws) <= MOST_VERTICES * most:
             archive.save(shown, self.plan.capture)
 
     def _finish(self) -> None:

@@ -69,17 +69,17 @@ def trace(what: Any, **options: Any) -> Trace:
 
 def mistakes_of(frame: Frame) -> list[Mistake]:
     """Only the mistakes in a Frame that was captured with calls."""
-    return _traced(frame)[1]
+    return _traced(frame, entries=False)[1]
 
 
-def _traced(frame: Frame) -> tuple[list[Entry], list[Mistake]]:
+def _traced(frame: Frame, entries: bool = True) -> tuple[list[Entry], list[Mistake]]:
     draws: dict[int, list[Draw]] = {}
     for draw in frame.draws:
         if draw.call is not None:
             draws.setdefault(draw.call, []).append(draw)
     counts = {number: len(made) for number, made in draws.items()}
     detector = Detector(frame)
-    entries: list[Entry] = []
+    listed: list[Entry] = []
     mistakes: list[Mistake] = []
     run: list[tuple[int, Call]] = []
     colors = Colors()
@@ -91,7 +91,7 @@ def _traced(frame: Frame) -> tuple[list[Entry], list[Mistake]]:
             mistakes += detector.draw(draw, step)
             colors.used(draw.state.lighting)
             made.remove(draw)
-        if step.trail:
+        if step.trail or not entries:
             continue
         if call.name in REGISTERS_ONLY and call.name != "glBegin":
             run.append((number, call))
@@ -99,12 +99,12 @@ def _traced(frame: Frame) -> tuple[list[Entry], list[Mistake]]:
             continue
         if COMMANDS[call.name].family in ("glRasterPos", "glWindowPos"):
             colors.used(after.state.lighting if call.name.startswith("glRasterPos") else None)
-        entries += _run(run)
+        listed += _run(run)
         run = []
-        entries.append(_entry(step, counts.get(number, 0)))
-    entries += _run(run)
+        listed.append(_entry(step, counts.get(number, 0)))
+    listed += _run(run)
     mistakes += detector.end()
-    return [colors.noted(entry) for entry in entries], list(_once(mistakes))
+    return [colors.noted(entry) for entry in listed], list(_once(mistakes))
 
 
 class Colors:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,22 +33,22 @@ class Surface:
     def __len__(self) -> int:
         return len(self.points)
 
-    @property
+    @cached_property
     def cosine(self) -> Float:
         """Of the angle between normal and ``turned``, (n,); 0 where one of them is missing."""
         return np.asarray((self.turned * self.normals).sum(axis=1))
 
-    @property
+    @cached_property
     def outward(self) -> Float:
         """Of the angle between the normal and the way from the middle of all to a triangle, (n,)."""
         return np.asarray((normalize(self.points.mean(axis=1) - self.middle) * self.normals).sum(axis=1))
 
-    @property
+    @cached_property
     def middle(self) -> Float:
         flat = self.points.reshape(-1, 3)
         return np.asarray((flat.min(axis=0) + flat.max(axis=0)) / 2.0)
 
-    @property
+    @cached_property
     def solid(self) -> bool:
         """Whether it is no flat thing."""
         spread = np.linalg.svd(self.points.reshape(-1, 3) - self.middle, compute_uv=False)
@@ -59,7 +60,7 @@ class Surface:
         flat = self.points.reshape(-1, 3)
         return bool((flat.min(axis=0) <= 0).all() and (flat.max(axis=0) >= 0).all())
 
-    @property
+    @cached_property
     def closed(self) -> bool:
         """Whether each edge is between two triangles: nothing can be seen through a hole."""
         flat = self.points.reshape(-1, 3)

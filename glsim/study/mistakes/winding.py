@@ -6,9 +6,9 @@ Draws is closed like one that is drawn at once.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
 from itertools import groupby
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +22,8 @@ SHARE = 0.05  # of the triangles of an object that must be wrong
 DISTINCT = 0.3  # the cosine below which normal and winding are not called opposed: coarse meshes are forgiven
 
 
-class Thing(NamedTuple):
+@dataclass
+class Thing:
     """Some Draws, their triangles, and how many triangles belong to each Draw."""
 
     draws: list[Seen]
@@ -42,26 +43,28 @@ class Thing(NamedTuple):
         polygon = self.draws[0].state.polygon
         return polygon.cull and polygon.cull_face == gl.GL_BACK
 
-    @property
+    @cached_property
     def front(self) -> NDArray[np.bool_]:
         """Which triangles show their front on the screen."""
         return self.surface.front(self.draws[0].state.polygon.front_face)
 
-    @property
+    @cached_property
     def opposed(self) -> NDArray[np.bool_]:
         """Which triangles have normals on the side that the order of the corners calls the back."""
         sign = 1.0 if self.draws[0].state.polygon.front_face == gl.GL_CCW else -1.0
         return np.asarray(sign * self.surface.cosine < -DISTINCT)
 
-    @property
+    @cached_property
     def guilty(self) -> str:
         """Where normals and order are opposed: whether the "winding" or the "normals" are wrong; "" if nobody knows.
 
         Of a closed thing the normals point outside.  Else what is seen tells: normals that point to the eye are right.
         """
         opposed, surface = self.opposed, self.surface
-        seen = float(self.front[opposed].mean()) if opposed.any() else 0.5  # normals away from the eye, front seen
-        outward = float(np.sign(np.round(surface.outward[opposed], 1)).mean()) if opposed.any() else 0.0
+        if not opposed.any():
+            return ""
+        seen = float(self.front[opposed].mean())  # normals away from the eye, front seen
+        outward = float(np.sign(np.round(surface.outward[opposed], 1)).mean())
         if not surface.closed and not 0.1 < seen < 0.9:
             return "normals" if seen > 0.5 else "winding"
         if abs(outward) > 0.5 and surface.solid and (surface.closed or self.culled):
@@ -77,14 +80,24 @@ class Thing(NamedTuple):
         return self.draws[int(np.searchsorted(np.cumsum(self.counts), int(np.argmax(wrong)), side="right"))]
 
 
-def things(draws: list[Seen]) -> Iterator[Thing]:
+def things(draws: list[Seen]) -> list[Thing]:
     """The objects that are made of filled triangles, without blending (its passes have their own rules)."""
+    if not draws:
+        return []
+    if "things" not in draws[0].memo:
+        draws[0].memo["things"] = _things(draws)
+    found: list[Thing] = draws[0].memo["things"]
+    return found
+
+
+def _things(draws: list[Seen]) -> list[Thing]:
 
     def key(seen: Seen) -> tuple[object, ...]:
         state = seen.state
         return (seen.draw.matrices[0].get().tobytes(), seen.draw.matrices[1].get().tobytes(), state.polygon,
                 state.lighting)  # fmt: skip
 
+    result = []
     usable = [seen for seen in draws if seen.areas and not seen.bent and not seen.state.color_buffer.blend]
     for _, group in groupby(usable, key):
         some, total = [], 0
@@ -92,7 +105,8 @@ def things(draws: list[Seen]) -> Iterator[Thing]:
             if total < MAX_TRIANGLES:
                 some.append(seen)
                 total += len(seen.surface)
-        yield Thing(some, joined([seen.surface for seen in some]), [len(seen.surface) for seen in some])
+        result.append(Thing(some, joined([seen.surface for seen in some]), [len(seen.surface) for seen in some]))
+    return result
 
 
 def count(wrong: NDArray[np.bool_]) -> str:
@@ -121,7 +135,7 @@ class CulledFront(Rule):
 
     def at_end(self, draws: list[Seen]) -> Findings:
         found = False
-        everything = list(things(draws))
+        everything = things(draws)
         for one in everything:
             wrong = self._wrong(one)
             if wrong.sum() > SHARE * len(wrong):
