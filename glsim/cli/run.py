@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import sys
-import tempfile
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from glsim.cli.options import count, lobe, positive, rectangle, shading
+
+if TYPE_CHECKING:
+    from glsim.machine.frame import Frame
 
 MOST_CALLS = 5_000  # of the first picture, that are recorded to look for mistakes
 
@@ -54,11 +55,10 @@ def _run(options: argparse.Namespace) -> int:
         not options.no_python2,
     )  # fmt: skip
     timeout = options.timeout or (None if options.window else 60.0)
-    with tempfile.TemporaryDirectory(prefix="glsim-") as folder:
-        plan.capture, plan.capture_calls, plan.most_calls = os.path.join(folder, "frame"), True, MOST_CALLS
-        plan.clicked = "glsim.cli.study:show_probe" if options.window else None
-        record = run(plan, timeout)
-        found = _mistakes(plan.capture, options.script)
+    plan.most_calls = MOST_CALLS
+    plan.clicked = "glsim.cli.study:show_probe" if options.window else None
+    found: list[dict[str, Any]] = []
+    record = run(plan, timeout, look=lambda frame: found.extend(_mistakes(frame)))
     first = [Path(out or ".") / name for name in record["pictures"] if "_w" not in name]
     code = {"ok": 0, "interrupted": 130}.get(record["status"], 1)
     for kind, target in animations.items():
@@ -79,20 +79,13 @@ def _run(options: argparse.Namespace) -> int:
     return code
 
 
-def _mistakes(path: str, script: str) -> list[dict[str, Any]]:
-    """The classic mistakes in the first picture; none if it took more than MOST_CALLS calls or there is no picture."""
-    if not os.path.exists(path):
-        return []
-    from glsim.machine import archive
+def _mistakes(frame: Frame) -> list[dict[str, Any]]:
+    """The classic mistakes in a Frame."""
     from glsim.study.trace import mistakes_of
 
-    try:
-        found = mistakes_of(archive.load(path))
-    except ValueError:
-        return []
     return [
         {"kind": one.kind, "what": one.looks_at, "line": one.where.line if one.where else None,
-         "sentence": one.sentence} for one in found
+         "sentence": one.sentence} for one in mistakes_of(frame)
     ]  # fmt: skip
 
 

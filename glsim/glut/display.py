@@ -124,6 +124,7 @@ class Shown:
             self.program = self.ctx.program(vertex_shader=VERTEX, fragment_shader=FRAGMENT)
             self.triangle = self.ctx.vertex_array(self.program, [])
         self.buttons: set[int] = set()
+        self.cursor: tuple[int, int] | None = None  # at the last event; glfw's get_cursor_pos may be ahead of it
         self.pressed: tuple[int, int] | None = None  # where the left button went down
         self.popup: Popup | None = None
         self._listen()
@@ -232,7 +233,7 @@ class Shown:
 
     def _click(self, down: bool) -> None:
         """Left button: tell on_click if it is released where it was pressed, within two pixels."""
-        (x, y), pressed = self._at(), self.pressed
+        (x, y), pressed = self.cursor or self._at(), self.pressed
         self.pressed = (x, y) if down else None
         window, picture = self.window, self.window.shown
         if down or pressed is None or picture is None or max(abs(x - pressed[0]), abs(y - pressed[1])) > 2:
@@ -243,6 +244,7 @@ class Shown:
             self.display.on_click(window, x * columns // max(width, 1), y * rows // max(height, 1))
 
     def _moved(self, handle: Any, x: float, y: float) -> None:
+        self.cursor = int(x), int(y)
         self._fire("Motion" if self.buttons else "PassiveMotion", int(x), int(y))
 
     def _scrolled(self, handle: Any, dx: float, dy: float) -> None:

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+
 from glsim.machine.commands import COMMANDS
 from glsim.machine.frame import Call, Draw, Frame, Where
 from glsim.machine.record import REGISTERS_ONLY
@@ -72,6 +74,7 @@ def mistakes_of(frame: Frame) -> list[Mistake]:
     return _traced(frame, entries=False)[1]
 
 
+@np.errstate(all="ignore")  # NaN and infinite numbers of a program are no mistakes of glsim's
 def _traced(frame: Frame, entries: bool = True) -> tuple[list[Entry], list[Mistake]]:
     draws: dict[int, list[Draw]] = {}
     for draw in frame.draws:

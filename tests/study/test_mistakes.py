@@ -149,3 +149,21 @@ def test_normals_of_several_lengths_are_told_as_a_span(screen: glsim.Offscreen) 
         glEnd()
     (found,) = glsim.trace(frame).mistakes
     assert "normals have length 2 to 3 in eye space (glNormal got 2 to 3)" in found.sentence
+
+
+def test_numbers_that_are_none_and_arguments_that_are_missing(screen: glsim.Offscreen) -> None:
+    nan, infinite = float("nan"), float("inf")
+    with capture(calls=True) as frame:
+        lit()
+        glEnable(GL_CULL_FACE)
+        for wrong in (lambda: glRotatef("x", 1, 0, 0), lambda: glClear(), lambda: glEnable()):
+            with pytest.raises((TypeError, ValueError)):
+                wrong()
+        glRotatef(nan, 1, infinite, 0)
+        glColor3f(nan, 1, 1)
+        glBegin(GL_TRIANGLES)
+        for x in (nan, infinite, 1e38):
+            glNormal3f(x, 0, 0)
+            glVertex3f(x, -x, 1)
+        glEnd()
+    assert "radians" not in [found.kind for found in glsim.trace(frame).mistakes]

@@ -63,7 +63,7 @@ class Radians(Rule):
 def is_radians(angle: float) -> bool:
     """Whether an angle for glRotate looks like degrees converted to radians: exactly a whole or half number of degrees,
     or 30, 45, 60, 90, ... degrees in a few digits."""
-    if angle == 0.0 or abs(angle) > 2.0 * math.pi + 1e-6 or angle.is_integer():
+    if not math.isfinite(angle) or angle == 0.0 or abs(angle) > 2.0 * math.pi + 1e-6 or angle.is_integer():
         return False
     degrees = abs(math.degrees(angle))
     exact = abs(2.0 * degrees - round(2.0 * degrees)) < 1e-6 and degrees > 0.5

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 
 from glsim.machine.commands import COMMANDS
 from glsim.machine.frame import Draw, Frame
@@ -23,7 +24,8 @@ class Detector:
 
     def call(self, step: Step) -> Iterator[Mistake]:
         for one in self.told[step.call.name]:
-            yield from self._said(one, one.on_call(step), step)
+            with suppress(IndexError, TypeError, ValueError):  # arguments for which the program has got an error
+                yield from self._said(one, one.on_call(step), step)
 
     def draw(self, draw: Draw, step: Step) -> Iterator[Mistake]:
         seen = Seen(draw, step, step.after.state)

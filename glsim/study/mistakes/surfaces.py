@@ -16,6 +16,7 @@ from glsim.shading import normalize
 
 Float = NDArray[np.float64]
 Bool = NDArray[np.bool_]
+FAR = 1e30  # numbers that are larger, or none, are of no use here
 MAX_TRIANGLES = 3000  # of a Draw that are looked at
 
 
@@ -90,7 +91,7 @@ def surface(draw: Draw, chosen: NDArray[np.uint32]) -> Surface:
     stage = vertex_stage(draw, numbers, 0, colors=False)
     places = places.reshape(-1, 3)
     with np.errstate(all="ignore"):
-        points = np.nan_to_num((stage.eye[:, :3] / stage.eye[:, 3:])[places])
+        points = np.clip(np.nan_to_num((stage.eye[:, :3] / stage.eye[:, 3:])[places]), -FAR, FAR)
     turned = np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0])
     mean = np.nan_to_num(normalize(stage.normal))[places].sum(axis=1)
     return Surface(points, stage.clip[places], normalize(turned), normalize(mean))
