@@ -13,7 +13,7 @@ from glsim.cli.options import count, lobe, positive, rectangle, shading
 if TYPE_CHECKING:
     from glsim.machine.frame import Frame
 
-MOST_CALLS = 5_000  # of the first picture, that are recorded to look for mistakes
+MOST_CALLS = 4_000  # of the first picture, that are recorded to look for mistakes
 
 
 def add(commands: Any) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable
-from functools import cache
+from functools import lru_cache
 
 import numpy as np
 
@@ -156,15 +156,21 @@ def again(self: Rule, seen: Seen, stack: str, is_it: Callable[[Call], bool], wor
 
 def repeated(where: Where | None) -> bool:
     """Whether a line of the program is in a function that GLUT calls each time."""
-    return where is not None and any(first <= where.line <= last for first, last in _callbacks(where.file))
+    if where is None:
+        return False
+    try:
+        source = read_regular(where.file, 1 << 20)
+    except (OSError, ValueError):
+        return False
+    return any(first <= where.line <= last for first, last in _callbacks(source))
 
 
-@cache
-def _callbacks(file: str) -> list[tuple[int, int]]:
+@lru_cache(8)
+def _callbacks(source: bytes) -> list[tuple[int, int]]:
     """The lines (first, last) of the functions that a program gives to glutDisplayFunc and the like."""
     try:
-        tree = ast.parse(read_regular(file, 1 << 20))
-    except (OSError, ValueError, SyntaxError, RecursionError):
+        tree = ast.parse(source)
+    except (ValueError, SyntaxError, RecursionError):
         return []
     names = {
         argument.id if isinstance(argument, ast.Name) else argument.attr

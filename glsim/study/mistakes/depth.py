@@ -181,6 +181,8 @@ def _row(
     area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
     usable = np.abs(area) > 1e-9
     a, b, c, area, owner = a[usable], b[usable], c[usable], area[usable], owner[usable]
+    if not len(area):
+        return 0, owner
 
     def weight(p: NDArray[np.float64], q: NDArray[np.float64]) -> NDArray[np.float64]:
         dx, dy = (q - p)[:, 0], (q - p)[:, 1]
