@@ -15,7 +15,7 @@ from tests.drawing import program_file
 PROGRAM = """
 def display():
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-    glLoadIdentity()
+    CAMERA
     gluLookAt(1, 2, 4, 0, 0, 0, 0, 1, 0)
     glutSolidCube(0.5)
     SWAP
@@ -24,6 +24,7 @@ def reshape(w, h):
     IDENTITY
     gluPerspective(45, w / h, 1, 20)
     glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
 glEnable(GL_DEPTH_TEST)
 glEnable(GL_LIGHTING)
 LAMP
@@ -31,7 +32,12 @@ glutDisplayFunc(display)
 glutReshapeFunc(reshape)
 glutMainLoop()
 """
-MENDED = {"SWAP": "glutSwapBuffers()", "IDENTITY": "glLoadIdentity()", "LAMP": "glEnable(GL_LIGHT0)"}
+MENDED = {
+    "CAMERA": "glLoadIdentity()",
+    "SWAP": "glutSwapBuffers()",
+    "IDENTITY": "glLoadIdentity()",
+    "LAMP": "glEnable(GL_LIGHT0)",
+}
 
 
 def written(folder: Path, *bad: str) -> str:
@@ -79,6 +85,8 @@ def test_a_projection_in_a_reshape_function_and_at_the_start(tmp_path: Path) -> 
     """Only a function that is called again and again multiplies it again and again."""
     (found,) = glsim.trace(written(tmp_path, "IDENTITY")).mistakes
     assert found.kind == "perspective-again"
+    (found,) = glsim.trace(written(tmp_path, "CAMERA")).mistakes  # the glLoadIdentity of reshape helps once
+    assert found.kind == "camera-again"
     at_start = PROGRAM.replace("glutReshapeFunc(reshape)", "reshape(1, 1)").replace("IDENTITY", "pass")
     for word, mended in MENDED.items():
         at_start = at_start.replace(word, mended)

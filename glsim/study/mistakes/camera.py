@@ -142,45 +142,56 @@ class PerspectiveAgain(Rule):
 
 
 def again(self: Rule, seen: Seen, stack: str, is_it: Callable[[Call], bool], word: str) -> Findings:
-    """The last such call in a product that begins with no glLoadIdentity or glLoadMatrix, or that has two of them."""
+    """The last such call in a product that has two of them, or that nothing begins anew when it is made again."""
     matrices = seen.provenance.chains[stack]
     named = self.calls_of(matrices[-1], is_it)
     if not named:
         return
-    first = matrices[-1][0]
-    loaded = first == BEFORE or self.frame.calls[first].name.startswith("glLoad")
-    if len(named) > 1 or (not loaded and len(matrices) == 1 and repeated(self.frame.calls[named[-1]].where)):
-        call = self.frame.calls[named[-1]]
+    call, first = self.frame.calls[named[-1]], matrices[-1][0]
+    start = None if first == BEFORE else self.frame.calls[first]
+    loaded = start.where if start is not None and start.name.startswith("glLoad") else None
+    known = start is not None and len(matrices) == 1 and (loaded is not None or not start.name.startswith("glLoad"))
+    if len(named) > 1 or (known and repeated(call.where, loaded)):
         yield named[-1], {word: via(call) or call_text(call)}
 
 
-def repeated(where: Where | None) -> bool:
-    """Whether a line of the program is in a function that GLUT calls each time."""
+def repeated(where: Where | None, loaded: Where | None) -> bool:
+    """Whether a line of the program is in a function that GLUT calls each time, and no glLoadIdentity before it is.
+
+    loaded: the line of the glLoadIdentity or glLoadMatrix before it, if any.  It does not help if it is in no function
+    or in the reshape function, and the line is in the display function."""
     if where is None:
         return False
     try:
-        source = read_regular(where.file, 1 << 20)
-    except (OSError, ValueError):
+        functions = _functions(read_regular(where.file, 1 << 20))
+    except (OSError, ValueError, SyntaxError, RecursionError, MemoryError):
         return False
-    return any(first <= where.line <= last for first, last in _callbacks(source))
+    mine = _around(functions, where)
+    if mine is None or not functions[mine]:
+        return False
+    if loaded is None:
+        return True
+    other = _around(functions, loaded) if loaded.file == where.file else mine
+    return other != mine and (other is None or functions[other] == "glutReshapeFunc")
+
+
+def _around(functions: dict[tuple[int, int], str], where: Where) -> tuple[int, int] | None:
+    """The innermost function around a line."""
+    around = [lines for lines in functions if lines[0] <= where.line <= lines[1]]
+    return max(around, default=None)
 
 
 @lru_cache(8)
-def _callbacks(source: bytes) -> list[tuple[int, int]]:
-    """The lines (first, last) of the functions that a program gives to glutDisplayFunc and the like."""
-    try:
-        tree = ast.parse(source)
-    except (ValueError, SyntaxError, RecursionError):
-        return []
-    names = {
-        argument.id if isinstance(argument, ast.Name) else argument.attr
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Call) and ast.unparse(node.func).rpartition(".")[2] in CALLBACKS
-        for argument in node.args
-        if isinstance(argument, (ast.Name, ast.Attribute))
-    }
-    functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) and node.name in names]
-    return [(node.lineno, node.end_lineno or node.lineno) for node in functions]
+def _functions(source: bytes) -> dict[tuple[int, int], str]:
+    """(first line, last line) of each function of a program -> to which of CALLBACKS it is given, or ""."""
+    tree = ast.parse(source)
+    given: dict[str, str] = {}
+    for node in ast.walk(tree):
+        callback = ast.unparse(node.func).rpartition(".")[2] if isinstance(node, ast.Call) else ""
+        if isinstance(node, ast.Call) and callback in CALLBACKS:
+            given |= {ast.unparse(argument).rpartition(".")[2]: callback for argument in node.args}
+    functions = [node for node in ast.walk(tree) if isinstance(node, (ast.FunctionDef, ast.Lambda))]
+    return {(f.lineno, f.end_lineno or f.lineno): given.get(getattr(f, "name", ""), "") for f in functions}
 
 
 @rule
