@@ -392,6 +392,38 @@ def a_texture_that_replaces_without_light() -> None:
 
 
 @meant
+def a_background_that_replaces() -> None:
+    scene()
+    checkered()
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE)
+    glDepthMask(GL_FALSE)
+    glutSolidCube(0.5)
+    glDepthMask(GL_TRUE)
+    glDisable(GL_TEXTURE_2D)
+    glutSolidCube(0.5)
+
+
+@wrong("texture-replaces-light")
+def a_decal_without_alpha_and_without_depth_test() -> None:
+    lit()
+    glDisable(GL_DEPTH_TEST)
+    checkered()
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL)
+    glNormal3f(0, 0, 1)
+    glRectf(-0.5, -0.5, 0.5, 0.5)
+
+
+@wrong("coarse-depth")
+def a_frustum_that_begins_at_the_eye() -> None:
+    lit()
+    glMatrixMode(GL_PROJECTION)
+    glFrustum(-4e-5, 4e-5, -4e-5, 4e-5, 1e-4, 100)
+    glMatrixMode(GL_MODELVIEW)
+    glTranslatef(0, 0, -4)
+    glutSolidCube(0.5)
+
+
+@meant
 def texture_0_switches_textures_off() -> None:
     checkered()
     glBindTexture(GL_TEXTURE_2D, 0)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import ast
+import math
 from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from glsim.files import read_regular
 from glsim.machine.frame import Call, Where
@@ -206,19 +208,29 @@ class NearPlane(Rule):
     commands = frozenset({"glFrustum", "glMultMatrix"})
 
     def on_call(self, step: Step) -> Findings:
-        near = near_of(step.call) if is_perspective(step.call) else None
-        if near is not None and near <= 0.0:
+        if not is_perspective(step.call):
+            return
+        near, _ = near_and_far(step.call)
+        if near <= 0.0:
             yield step.number, {"call": via(step.call) or call_text(step.call), "near": near}
 
 
-def near_of(call: Call) -> float | None:
-    """The near plane of glFrustum or gluPerspective."""
+def near_and_far(call: Call) -> tuple[float, float]:
+    """The near and the far plane of glFrustum or gluPerspective; NaN if it is neither."""
     if call.name == "glFrustum":
-        return float(call.arguments[4])
+        return float(call.arguments[4]), float(call.arguments[5])
     if not call.name.startswith("glMultMatrix"):
-        return None
-    m = np.asarray(call.arguments[0], float).reshape(4, 4)
-    return float(m[3, 2] / (m[2, 2] - 1.0)) if m[2, 2] != 1.0 else None
+        return math.nan, math.nan
+    m = np.asarray(call.arguments[0], np.float64).reshape(4, 4)
+    return planes(m)
+
+
+def planes(m: NDArray[np.float64]) -> tuple[float, float]:
+    """The near and the far plane of a projection matrix (4, 4), its columns as rows; NaN if it has none."""
+    if m[2, 3] != -1.0 or m[2, 2] == 1.0:
+        return math.nan, math.nan
+    far = math.inf if m[2, 2] == -1.0 else float(m[3, 2] / (m[2, 2] + 1.0))
+    return float(m[3, 2] / (m[2, 2] - 1.0)), far
 
 
 @rule
@@ -234,18 +246,18 @@ class CoarseDepth(Rule):
     )
 
     def on_draw(self, seen: Seen) -> Findings:
-        m = seen.draw.matrices[1].get().astype(np.float64)  # its columns as rows
-        if not seen.state.depth.test or m[2, 3] != -1.0 or not seen.areas or seen.bent or m[2, 2] == 1.0:
+        if not seen.state.depth.test or not seen.areas or seen.bent:
             return
-        near = m[3, 2] / (m[2, 2] - 1.0)
-        far = m[3, 2] / (m[2, 2] + 1.0) if abs(m[2, 2] + 1.0) > 1e-9 else np.inf
+        own = [call for call in seen.projection_calls if call != BEFORE]
+        named = self.calls_of(own, is_perspective)
+        matrix = seen.draw.matrices[1].get().astype(np.float64)
+        near, far = near_and_far(self.frame.calls[named[-1]]) if named else planes(matrix)
         z = -seen.surface.points[..., 2]
         z = z[z > near]
-        if not len(z) or near <= 0.0 or abs(far) < 1e5 * near:
+        if not len(z) or not 0.0 < near * 1e5 <= far:
             return
         middle = float(np.median(z))
         step = middle**2 / (near * 2**24)
         if step > middle / 2000:
-            own = [call for call in seen.projection_calls if call != BEFORE]
             words = {"near": near, "far": far, "z": middle, "step": step, "better": middle / 100}
-            yield (own[-1] if own else seen.call), words
+            yield (named or own or [seen.call])[-1], words

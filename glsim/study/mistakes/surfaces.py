@@ -57,9 +57,10 @@ class Surface:
 
     @property
     def eye_inside(self) -> bool:
-        """Whether the eye is within the box around the corners."""
+        """Whether the eye of a perspective projection is within the box around the corners."""
         flat = self.points.reshape(-1, 3)
-        return bool((flat.min(axis=0) <= 0).all() and (flat.max(axis=0) >= 0).all())
+        perspective = bool(np.ptp(self.clip[..., 3]) > 0.0)
+        return perspective and bool((flat.min(axis=0) < 0).all() and (flat.max(axis=0) > 0).all())
 
     @cached_property
     def closed(self) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from glsim.machine import constants as gl
+from glsim.machine.frame import Frame
 from glsim.machine.state import TextureUnit
 from glsim.machine.texture import Texture
 from glsim.study.mistakes.rules import Findings, Rule, Seen, rule
@@ -48,8 +49,8 @@ class IncompleteTexture(Rule):
 @rule
 class ReplacedLight(Rule):
     """GL_REPLACE, or GL_DECAL with a texture without alpha, on something with normals.  Silent if nothing has normals,
-    for what is around the eye (a sky) or drawn without depth test or depth mask (a background), where a later unit
-    brings the light back, and with GL_SEPARATE_SPECULAR_COLOR."""
+    for what is around the eye (a sky), or drawn without depth test or depth mask where others have it (a background),
+    with GL_COMBINE, and with GL_SEPARATE_SPECULAR_COLOR."""
 
     kind, topic = "texture-replaces-light", "texture"
     looks_at = "GL_REPLACE that hides lighting"
@@ -58,12 +59,17 @@ class ReplacedLight(Rule):
         " glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE)"
     )
 
+    def __init__(self, frame: Frame) -> None:
+        super().__init__(frame)
+        self.hidden: list[tuple[Seen, int, str]] = []  # a Draw, the call that set its mode, and the mode
+        self.depth = False  # whether any draw uses the depth buffer
+
     def on_draw(self, seen: Seen) -> Findings:
         state = seen.state
+        self.depth |= uses_depth(seen)
         separate = state.lighting.color_control == gl.GL_SEPARATE_SPECULAR_COLOR
-        if not seen.lit or not seen.areas or separate or not state.depth.test or not state.depth.mask:
-            return
-        if not any(state.lighting.light_enabled) or not seen.normals_given or seen.bent:
+        shining = seen.lit and any(state.lighting.light_enabled) and seen.normals_given
+        if not shining or not seen.areas or separate or seen.bent:
             return
         units = [(k, unit, unit.active) for k, unit in enumerate(state.texture.units) if unit.active is not None]
         if any(unit.environment == gl.GL_COMBINE for _, unit, _ in units):
@@ -71,8 +77,17 @@ class ReplacedLight(Rule):
         for number, unit, texture in units:
             if replaces(unit, texture) and not seen.surface.eye_inside:
                 mode = "GL_REPLACE" if unit.environment == gl.GL_REPLACE else "GL_DECAL"
-                yield seen.at(seen.setter("texture", "units", number, "environment")), {"mode": mode}
-                return
+                self.hidden.append((seen, seen.at(seen.setter("texture", "units", number, "environment")), mode))
+        yield from ()
+
+    def at_end(self, draws: list[Seen]) -> Findings:
+        for seen, number, mode in self.hidden:
+            if uses_depth(seen) or not self.depth:
+                yield number, {"mode": mode}
+
+
+def uses_depth(seen: Seen) -> bool:
+    return seen.asked.depth.test and seen.asked.depth.mask
 
 
 def replaces(unit: TextureUnit, texture: Texture | None) -> bool:
