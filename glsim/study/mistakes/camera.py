@@ -75,8 +75,8 @@ class ProjectionInModelview(Rule):
     kind, topic = "projection-in-modelview", "camera"
     looks_at = "a projection in the modelview matrix"
     sentence = (
-        "{call} is in the modelview matrix: lighting, fog and clip planes see positions and normals that perspective"
-        " has bent; call glMatrixMode(GL_PROJECTION) before it, and glMatrixMode(GL_MODELVIEW) after it"
+        "{call} is in the modelview matrix: lighting, fog and clip planes see positions and normals that {effect};"
+        " call glMatrixMode(GL_PROJECTION) before it, and glMatrixMode(GL_MODELVIEW) after it"
     )
 
     def on_draw(self, seen: Seen) -> Findings:
@@ -84,9 +84,16 @@ class ProjectionInModelview(Rule):
         parallel = self.calls_of(chain, lambda call: call.name == "glOrtho") if seen.lit else []
         named = self.calls_of(chain, is_perspective) or parallel
         if named and (seen.bent or parallel):
-            yield named[0], {"call": via(self.frame.calls[named[0]]) or self.frame.calls[named[0]].name}
+            effect = "perspective has bent" if seen.bent else "it has scaled, and mirrored along z"
+            yield (
+                named[0],
+                {"call": via(self.frame.calls[named[0]]) or self.frame.calls[named[0]].name, "effect": effect},
+            )
         elif seen.lit and seen.bent:
-            yield (chain[-1] if chain else seen.call), {"call": "a perspective projection"}
+            yield (
+                (chain[-1] if chain else seen.call),
+                {"call": "a perspective projection", "effect": "perspective has bent"},
+            )
 
 
 @rule
