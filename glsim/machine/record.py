@@ -66,6 +66,7 @@ class Recorder:
         machine = self.machine
         for listed in (self.frame.calls, self.frame.history, self.frame.packets):
             listed.clear()
+        self.most = 0  # if somebody makes it current again
         machine.record(None)
         if machine.outlet.frame is self.frame:
             machine.outlet.frame = None

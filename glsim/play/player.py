@@ -230,7 +230,8 @@ class Player:
         for window in loop.windows.values():
             machine = window.screen.machine
             if machine.outlet.frame is frame:
-                machine.record(None)
+                if isinstance(machine.recorder, Recorder):  # a display list may be open
+                    machine.record(None)
                 machine.outlet.frame = frame if self.plan.clicked is not None else None
             elif machine.outlet.frame is None and self.plan.clicked is not None:
                 machine.outlet.frame, window.dirty = Frame(*window.asked), True
@@ -289,7 +290,8 @@ class Player:
         unswapped = window is not None and window.double and not window.swapped
         shown = replace(frame, packets=needed(frame.packets[:packets]), calls=frame.calls[:calls], unswapped=unswapped)
         most = self.plan.most_calls
-        if most is None or sum(draw.count for draw in shown.draws) <= MOST_VERTICES * most:
+        count = sum(draw.count for draw in shown.draws)
+        if most is None or (shown.history and count <= MOST_VERTICES * most):  # without history recording was given up
             archive.save(shown, self.plan.capture)
 
     def _finish(self) -> None:

@@ -71,7 +71,7 @@ def run(
     With ``plan.count`` what the program prints goes to standard error.  Pictures of an earlier run are removed from the
     folder ``plan.out``.
     timeout: seconds after which the program is stopped; None for never.  look: called with the Frame of the first
-    picture, with its calls, if these are no more than ``plan.most_calls`` and the file can be read.
+    picture, with its calls, if these are no more than ``plan.most_calls`` and there was no error.
 
     Raises FileNotFoundError for a script that is not there, OSError if the folder for the pictures cannot be made.
     """
@@ -103,7 +103,7 @@ def run(
             interrupted = True
         record = read_report(plan.result or "")
         line = _hung_at(stack, script) if outcome.timed_out else None
-        if look is not None and not interrupted and os.path.exists(plan.capture or ""):
+        if look is not None and not interrupted and not record["errors"] and os.path.exists(plan.capture or ""):
             _look_at(plan.capture or "", look)
     written = [name for name in record["pictures"] if plan.out and _is_regular(Path(plan.out) / name)]
     record["pictures"] = written

@@ -10,6 +10,9 @@ import pytest
 import glsim
 from glsim.cli import main
 from glsim.cli import run as cli_run
+from glsim.gl import glRectf
+from glsim.machine.frame import Frame
+from glsim.machine.record import Recorder
 from tests.drawing import program_file
 
 PROGRAM = """
@@ -91,3 +94,22 @@ def test_a_projection_in_a_reshape_function_and_at_the_start(tmp_path: Path) -> 
     for word, mended in MENDED.items():
         at_start = at_start.replace(word, mended)
     assert glsim.trace(program_file(tmp_path, at_start)).mistakes == []
+
+
+def test_a_recorder_that_gave_up_stays_silent(screen: glsim.Offscreen) -> None:
+    """Also when glsim.capture makes it current again."""
+    machine = screen.machine
+    frame = machine.outlet.frame = Frame(128, 128)
+    recorder = Recorder(machine, frame, most=3)
+    machine.record(recorder)
+    try:
+        with glsim.capture() as inner:
+            for _ in range(4):
+                glRectf(-1, -1, 1, 1)
+        glRectf(-1, -1, 1, 1)
+        assert machine.recorder is None
+        assert len(list(inner.draws)) == 4
+        assert frame.calls == frame.history == []
+    finally:
+        machine.record(None)
+        machine.outlet.frame = None

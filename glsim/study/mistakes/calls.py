@@ -72,7 +72,8 @@ def is_radians(angle: float) -> bool:
 
 @rule
 class MatrixStack(Rule):
-    """Silent if each glPushMatrix has its glPopMatrix in the end, each matrix mode by itself."""
+    """Silent if each glPushMatrix has its glPopMatrix in the end, each matrix mode by itself, and for a program that
+    an error ended in between."""
 
     kind, topic = "matrix-stack", "calls"
     looks_at = "glPushMatrix without glPopMatrix"
@@ -92,7 +93,7 @@ class MatrixStack(Rule):
         yield from ()
 
     def at_end(self, draws: list[Seen]) -> Findings:
-        for push in sorted(push for pushes in self.pushes.values() for push in pushes):
+        for push in () if self.frame.error else sorted(push for pushes in self.pushes.values() for push in pushes):
             yield push, {}
 
 
