@@ -127,7 +127,7 @@ def glutSwapBuffers() -> None:
     """Show what has been drawn."""
     window = loop.current
     if window is not None:
-        window.shown = window.picture()
+        window.shown, window.swapped = window.picture(), True
         if loop.on_swap is not None:
             loop.on_swap(window)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import sys
 from collections.abc import Callable
@@ -26,10 +27,13 @@ new_call: Callable[..., Call] = tuple.__new__  # twice as fast as the constructo
 
 
 class Recorder:
-    """Notes each call, with the user's line and what it changed, and executes it."""
+    """Notes each call, with the user's line and what it changed, and executes it.
 
-    def __init__(self, machine: Machine, frame: Frame) -> None:
+    most: after so many calls it gives up: the frame is emptied, and recording costs nothing any more."""
+
+    def __init__(self, machine: Machine, frame: Frame, most: float = math.inf) -> None:
         self.machine, self.calls, self.history = machine, frame.calls, frame.history
+        self.frame, self.most = frame, most
         self.lines: dict[tuple[Any, int], Where] = {}  # of the user's program, by code and line
         if not self.history:
             self.history.append(moment(machine, len(self.calls) - 1))
@@ -40,6 +44,8 @@ class Recorder:
         self.history[:] = [moment(self.machine, -1)]
 
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
+        if len(self.calls) >= self.most:
+            return self._give_up(name, arguments)
         if name in HOT:
             return self._hot(name, arguments)
         machine = self.machine
@@ -55,6 +61,16 @@ class Recorder:
                 machine.recorder, machine.busy = self, True
             if name not in REGISTERS_ONLY:
                 self.changed(packets, first)
+
+    def _give_up(self, name: str, arguments: tuple[Any, ...]) -> Any:
+        machine = self.machine
+        for listed in (self.frame.calls, self.frame.history, self.frame.packets):
+            listed.clear()
+        self.most = 0  # if somebody makes it current again
+        machine.record(None)
+        if machine.outlet.frame is self.frame:
+            machine.outlet.frame = None
+        return implementations[name](*arguments)
 
     def _hot(self, name: str, arguments: tuple[Any, ...]) -> None:
         """A command of gl/immediate.py: called once a vertex, it changes no state."""
@@ -75,7 +91,8 @@ class Recorder:
             machine.recorder = self
 
     def note(self, name: str, arguments: tuple[Any, ...]) -> None:
-        self.calls.append(Call(name, arguments, users_line(sys._getframe(2))))
+        if len(self.calls) < self.most:  # within a display list it goes on
+            self.calls.append(Call(name, arguments, users_line(sys._getframe(2))))
 
     def changed(self, packets: list[Packet], first: int) -> None:
         """After a call: append a Moment to the history if the state changed; write the call's number into new packets.

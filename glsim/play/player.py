@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import faulthandler
 import json
+import math
 import os
 import signal
 import sys
@@ -14,6 +15,7 @@ import time
 import traceback
 import types
 from dataclasses import asdict, replace
+from importlib import import_module
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from typing import Any
@@ -36,6 +38,8 @@ from glsim.render.context import Offscreen, offscreen
 
 MOST_ERRORS = 5  # a program that fails so often is stopped
 MOST_SCREENS = 16  # of glsim.offscreen whose pictures are kept
+MOST_VERTICES = 20  # of the first picture, for each of Plan.most_calls
+MOST_PACKETS = 1 << 15  # of a picture, that are kept for clicks
 PATIENCE = 1.0  # seconds between two pictures that are saved within one step
 
 
@@ -55,7 +59,7 @@ class Player:
     def play(self) -> Record:
         """Run the program to its end or to the last step."""
         plan = self.plan
-        self.display = open_windows(loop) if plan.window else None
+        self.display = open_windows(loop, self._clicked) if plan.window else None
         loop.events, loop.fixed_size = plan.events, plan.size
         loop.steps = None if plan.window and plan.frames == 1 else plan.frames
         loop.on_swap = self._on_swap
@@ -172,7 +176,10 @@ class Player:
         if self.plan.capture is not None and self.frame is None:
             self.frame = machine.outlet.frame = Frame(*size)
             if self.plan.capture_calls:
-                machine.record(Recorder(machine, self.frame))
+                most = math.inf if self.plan.most_calls is None else self.plan.most_calls
+                machine.record(Recorder(machine, self.frame, most))
+        elif self.plan.clicked is not None:
+            machine.outlet.frame = Frame(*size)
 
     def _on_swap(self, window: Window) -> None:
         """Called at each buffer swap: saves the picture if the last was saved more than PATIENCE seconds ago, so that a
@@ -202,14 +209,53 @@ class Player:
             if self.plan.out is not None and window.shown is not None:
                 self._save_picture(window.shown, _name(played.step - 1, order))
         self.last_save = time.monotonic()
-        if self.frame is not None and played.step == max(played.steps or 1, 1 + len(played.events)):
+        first = self.plan.most_calls is not None
+        if self.frame is not None and played.step == (1 if first else max(played.steps or 1, 1 + len(played.events))):
             self._save_frame(self.frame)
+            if first:
+                self._stop_recording(self.frame)
+        if self.plan.clicked is not None:
+            for window in played.windows.values():
+                self._trim(window)
         if self.display is not None:
             self.display.after_step(played)
         self.record.frames = played.step
         self.record.notes += played.notes
         played.notes = []
         self._report()
+
+    def _stop_recording(self, frame: Frame) -> None:
+        """The first picture is done.  For clicks the packets are collected on; where recording was given up, the window
+        is drawn again for that."""
+        for window in loop.windows.values():
+            machine = window.screen.machine
+            if machine.outlet.frame is frame:
+                if isinstance(machine.recorder, Recorder):  # a display list may be open
+                    machine.record(None)
+                machine.outlet.frame = frame if self.plan.clicked is not None else None
+            elif machine.outlet.frame is None and self.plan.clicked is not None:
+                machine.outlet.frame, window.dirty = Frame(*window.asked), True
+        self.frame = None
+
+    # ------------------------------------------------------------ clicks
+
+    def _trim(self, window: Window) -> None:
+        """Keep only the packets of the picture that is shown; none if the program never clears its picture."""
+        frame = window.screen.machine.outlet.frame
+        if frame is not None and frame is not self.frame:
+            frame.packets[:] = needed(frame.packets)
+            if len(frame.packets) > MOST_PACKETS:
+                frame.packets.clear()
+
+    def _clicked(self, window: Window, x: int, y: int) -> None:
+        """A pixel of a real window was clicked: tell the function that the plan names."""
+        frame = window.screen.machine.outlet.frame
+        if self.plan.clicked is None or frame is None:
+            return
+        module, _, name = self.plan.clicked.partition(":")
+        flushed(window.screen)
+        shown = replace(frame, packets=needed(frame.packets), width=window.screen.width, height=window.screen.height)
+        getattr(import_module(module), name)(shown, x, y)
 
     def _save_picture(self, picture: Any, name: str) -> None:
         from PIL import Image
@@ -241,8 +287,12 @@ class Player:
             flushed(screen)
         packets, calls = self.lengths_at_swap if window and window.double and self.lengths_at_swap[0] else (None, None)
         frame.width, frame.height = screen.width, screen.height
-        shown = replace(frame, packets=needed(frame.packets[:packets]), calls=frame.calls[:calls])
-        archive.save(shown, self.plan.capture)
+        unswapped = window is not None and window.double and not window.swapped
+        shown = replace(frame, packets=needed(frame.packets[:packets]), calls=frame.calls[:calls], unswapped=unswapped)
+        most = self.plan.most_calls
+        count = sum(draw.count for draw in shown.draws)
+        if most is None or (shown.history and count <= MOST_VERTICES * most):  # without history recording was given up
+            archive.save(shown, self.plan.capture)
 
     def _finish(self) -> None:
         record = self.record
