@@ -33,7 +33,7 @@ def shown(window: SimpleNamespace, clicks: list[tuple[int, int]]) -> Any:
         MOUSE_BUTTON_LEFT=0, MOUSE_BUTTON_MIDDLE=2, MOUSE_BUTTON_RIGHT=1, PRESS=1, RELEASE=0,
         get_cursor_pos=lambda handle: (0.0, 0.0), get_window_size=lambda handle: (100, 50),
     )  # fmt: skip
-    one.window, one.handle, one.popup, one.buttons, one.pressed, one.cursor = window, None, None, set(), None, None
+    one.window, one.handle, one.popup, one.buttons, one.pressed, one.pointer = window, None, None, set(), None, (0, 0)
     one.loop = SimpleNamespace(windows={1: window}, fire=lambda *arguments: True)
     one.display = SimpleNamespace(on_click=lambda _, x, y: clicks.append((x, y)))
     return one

@@ -6,7 +6,7 @@ import numpy as np
 
 from glsim.gl import *
 from glsim.glu import gluLookAt, gluOrtho2D, gluPerspective
-from glsim.glu.quadric import gluNewQuadric, gluQuadricOrientation, gluSphere
+from glsim.glu import gluNewQuadric, gluQuadricOrientation, gluSphere
 from glsim.glut import glutSolidCube, glutSolidSphere
 from glsim.glut.teaset import glutSolidTeapot
 from tests.drawing import lit
