@@ -18,6 +18,7 @@
 # %% Where the light of the orange patch goes: bright patches get much of it, per unit of area
 import numpy as np
 
+import glsim
 from glsim import radiosity
 
 box = radiosity.solve("cornell", patches=400)
@@ -68,8 +69,6 @@ plots.nusselt()
 # 1 or 0. Its default method integrates along the patches' edges, which is exact, and uses rays for $V$ only.
 
 # %%
-import glsim
-
 glsim.source("radiosity/textbook.py", "values[seen] = kernel[seen]")
 
 # %% [markdown]

@@ -22,8 +22,12 @@ import glsim
 from glsim import plots, radiosity
 
 cube = radiosity.solve("furnace", patches=6)
-bounces = [step.B.mean() for step, _ in zip(cube.iterations("jacobi"), range(12), strict=False)]
-plots.curves({"mean radiosity $B$": (range(12), bounces)}, "bounces", "radiosity", markers=True)
+bounces = [
+    step.B.mean() for step, _ in zip(cube.iterations("jacobi"), range(12), strict=False)
+]
+plots.curves(
+    {"mean radiosity $B$": (range(12), bounces)}, "bounces", "radiosity", markers=True
+)
 
 # %% [markdown]
 # ## What you should see
@@ -67,7 +71,9 @@ area = box.patches.area
 lamp = np.flatnonzero(box.patches.E.any(axis=1))[0]
 floor = np.flatnonzero(box.patches.center[:, 1] < 1)[10]
 F_ij, F_ji = box.factors.row(lamp)[floor], box.factors.row(floor)[lamp]
-print(f"F from the lamp to the floor {F_ij:.6f}   from the floor to the lamp {F_ji:.6f}")
+print(
+    f"F from the lamp to the floor {F_ij:.6f}   from the floor to the lamp {F_ji:.6f}"
+)
 print(f"A_i F_ij = {area[lamp] * F_ij:.4f}   A_j F_ji = {area[floor] * F_ji:.4f}")
 
 # %% [markdown]

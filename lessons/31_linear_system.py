@@ -72,8 +72,15 @@ plots.matrix(fine, log=True)
 # instead of a matrix.
 
 # %% The largest term of a row is the diagonal: at most rho of the light is passed on
-M = np.eye(6) - cube.patches.rho[:, [0]] * np.array([cube.factors.row(i) for i in range(6)])
-print("diagonal", np.diag(M).round(2), "  sum of the others", (np.abs(M).sum(axis=1) - np.diag(M)).round(2))
+M = np.eye(6) - cube.patches.rho[:, [0]] * np.array(
+    [cube.factors.row(i) for i in range(6)]
+)
+print(
+    "diagonal",
+    np.diag(M).round(2),
+    "  sum of the others",
+    (np.abs(M).sum(axis=1) - np.diag(M)).round(2),
+)
 print("solved by numpy:", np.linalg.solve(M, cube.patches.E[:, 0]).round(4))
 
 # %% [markdown]

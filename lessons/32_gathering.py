@@ -83,8 +83,15 @@ n = len(box.patches)
 
 
 def balance(solver, sweeps, cost):
-    steps = [step for step, _ in zip(box.iterations(solver), range(round(sweeps / cost) + 1), strict=False)]
-    return [step.iteration * cost for step in steps], [1 - step.balance for step in steps]
+    steps = [
+        step
+        for step, _ in zip(
+            box.iterations(solver), range(round(sweeps / cost) + 1), strict=False
+        )
+    ]
+    return [step.iteration * cost for step in steps], [
+        1 - step.balance for step in steps
+    ]
 
 
 plots.curves(

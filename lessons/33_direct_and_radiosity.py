@@ -21,7 +21,13 @@ import numpy as np
 import glsim
 from glsim import radiosity
 
-glsim.compare("cornell", modes=["gouraud", "direct", "radiosity"], size=420, patches=400, reference="direct")
+glsim.compare(
+    "cornell",
+    modes=["gouraud", "direct", "radiosity"],
+    size=420,
+    patches=400,
+    reference="direct",
+)
 
 # %% [markdown]
 # ## What you should see
@@ -35,9 +41,12 @@ glsim.compare("cornell", modes=["gouraud", "direct", "radiosity"], size=420, pat
 box = radiosity.solve("cornell", patches=400)
 direct = next(step for step in box.iterations("jacobi") if step.iteration == 1).B
 middle, area, lamp = box.patches.center, box.patches.area, box.patches.E.any(axis=1)
-for name, which in (("ceiling", (middle[:, 1] > 548) & ~lamp), ("floor", middle[:, 1] < 1)):
+for name, which in (
+    ("ceiling", (middle[:, 1] > 548) & ~lamp),
+    ("floor", middle[:, 1] < 1),
+):
     both = [np.average(B[which], axis=0, weights=area[which]) for B in (direct, box.B)]
-    print(f"{name:8} direct {both[0].round(3)}   radiosity {both[1].round(3)}   (red, green, blue)")
+    print(f"{name:8} direct {both[0].round(3)}   radiosity {both[1].round(3)}")
 
 # %% [markdown]
 # ## The formula

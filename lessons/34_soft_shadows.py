@@ -27,7 +27,12 @@ def square(middle, side, up):
     """A horizontal square with its front up or down."""
     x, y, z = middle
     h = side / 2
-    corners = [(x - h, y, z + h), (x + h, y, z + h), (x + h, y, z - h), (x - h, y, z - h)]
+    corners = [
+        (x - h, y, z + h),
+        (x + h, y, z + h),
+        (x + h, y, z - h),
+        (x - h, y, z - h),
+    ]
     return corners if up else corners[::-1]
 
 
@@ -38,15 +43,27 @@ def table_under(side, **options):
     table = [square((0, 0.8, 0), 0.8, up=True), square((0, 0.8, 0), 0.8, up=False)]
     room.add(table, Material("table", (0.3, 0.15, 0.05)))
     power = 1 / side**2
-    room.add([square((0, 2, 0), side, up=False)], Material("lamp", (0, 0, 0), (power, power, power)))
-    return radiosity.solve(room.scene(View((0, 3.2, 4.6), (0, 0.1, 0), fov=40)), **options)
+    room.add(
+        [square((0, 2, 0), side, up=False)],
+        Material("lamp", (0, 0, 0), (power, power, power)),
+    )
+    return radiosity.solve(
+        room.scene(View((0, 3.2, 4.6), (0, 0.1, 0), fov=40)), **options
+    )
 
 
 def picture(result, white=0.11):
-    return np.asarray(result.picture(300, colors=np.clip(result.vertex_radiosity / white, 0, 1) ** (1 / 2.2)))
+    return np.asarray(
+        result.picture(
+            300, colors=np.clip(result.vertex_radiosity / white, 0, 1) ** (1 / 2.2)
+        )
+    )
 
 
-row = [(f"lamp of side {side}", picture(table_under(side, patches=600))) for side in (0.1, 0.8, 2.4)]
+row = [
+    (f"lamp of side {side}", picture(table_under(side, patches=600)))
+    for side in (0.1, 0.8, 2.4)
+]
 tiles("", [row], 300)
 
 # %% [markdown]
@@ -79,9 +96,11 @@ tiles("", [row], 300)
 # border, and leaves the rest coarse.
 
 # %% The same number of patches, spread evenly and put where the light changes fast
-even, adaptive = table_under(0.6, patches=600), table_under(0.6, patches=600, adaptive=True)
-tiles("", [[(f"even, {len(even.patches)} patches", picture(even)),
-            (f"adaptive, {len(adaptive.patches)} patches", picture(adaptive))]], 400)  # fmt: skip
+even = table_under(0.6, patches=600)
+adaptive = table_under(0.6, patches=600, adaptive=True)
+named = [("even", even), ("adaptive", adaptive)]
+row = [(f"{name}, {len(one.patches)} patches", picture(one)) for name, one in named]
+tiles("", [row], 400)
 
 # %% [markdown]
 # ## Try this
