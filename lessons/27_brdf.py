@@ -67,9 +67,7 @@ glsim.source(
 # %% Both laws in numbers: the largest breach of reciprocity, and the albedo at 0 and 80 degrees
 for name, f in models.items():
     steep, grazing = (float(f.albedo(np.cos(np.radians(t)))[0]) for t in (0, 80))
-    print(
-        f"{name:24} not reciprocal by {f.reciprocity_error():6.1%}   {steep:.2f}  {grazing:.2f}"
-    )
+    print(f"{name:18} breach {f.reciprocity_error():6.1%}   {steep:.2f}  {grazing:.2f}")
 
 # %% The functions as lobes in the plane of incidence, for light from 45 degrees (times N.L)
 plots.lobes(

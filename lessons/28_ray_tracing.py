@@ -45,7 +45,7 @@ def hit_spheres(O, D):
 
 
 def hit_box(O, D):
-    """Distances to the walls of the box from -1 to 1 from inside, the normals and colours there."""
+    """Distances to the walls of the box, with the normals and colours there."""
     with np.errstate(divide="ignore"):
         t = (np.sign(D) - O) / D
     t[~np.isfinite(t)] = np.inf
