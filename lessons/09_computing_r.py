@@ -57,9 +57,7 @@ for length in (1.0, 1.1, 1.5):
     too_long = length * N
     R = 2 * (too_long @ L) * too_long - L
     angle = np.degrees(np.arccos(R[2] / np.linalg.norm(R)))
-    print(
-        f"|N| = {length}: R = {R.round(3)}, at {angle:.1f} degrees to the normal, length {np.linalg.norm(R):.2f}"
-    )
+    print(f"|N| = {length}: R = {R.round(2)}, {angle:.1f} degrees from N")
 
 # %% Four rays and their mirror directions
 plots.reflection((15, 35, 55, 75))

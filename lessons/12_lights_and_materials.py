@@ -78,8 +78,15 @@ for name, k_d in (("white", [1, 1, 1]), ("green", [0, 1, 0]), ("yellow", [1, 1, 
     print(f"red light on a {name} surface: {red * k_d}")
 
 # %% Materials are little tables of k_a, k_d, k_s and n: metals have a coloured k_s, plastics a white one
-glsim.compare("teapot", modes="phong", size=260, samples=4, differences="off", columns="material",
-              sweep={"material": ["brass", "red-plastic", "emerald", "black-rubber"]})  # fmt: skip
+glsim.compare(
+    "teapot",
+    modes="phong",
+    sweep={"material": ["brass", "red-plastic", "emerald", "black-rubber"]},
+    columns="material",
+    differences="off",
+    size=260,
+    samples=4,
+)
 
 # %% [markdown]
 # ## Try this
