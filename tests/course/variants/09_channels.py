@@ -35,9 +35,7 @@ WRONG = {
     "mean of channels": ([(TERM, "light.mean() * k_d * max(np.dot(N, L), 0)")], "its own intensity"),
     "last light": ([("color = color + " + TERM, "color = I_a * k_a + " + TERM)], "Only the last"),
     "mean of lights": ([(TERM, TERM + " / len(lights)")], "not averaged"),
-    "glow each time": ([("color = color + light", "color = color + I_a * k_a + light"), ("color = I_a * k_a
-", "color = 0 * k_a
-")], "counts once"),
+    "glow each time": ([("color = I_a * k_a", "color = 0"), (TERM, TERM + " + I_a * k_a")], "counts once"),
     "no clamp": ([("np.clip(color, 0, 1)", "color")], "clamp the sum"),
     "scaled": ([("np.clip(color, 0, 1)", "color / max(color.max(), 1)")], "each channel by itself"),
     "each clamped": (
