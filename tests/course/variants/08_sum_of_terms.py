@@ -37,5 +37,5 @@ WRONG = {
         "The whole sum became 0",
     ),
     "no test": ([("if N_L > 0:", "if True:")], "Both terms"),
-    "absolute": ([("N_L = np.dot(N, L)", "N_L = abs(np.dot(N, L))")], "the glow stays"),
+    "absolute": ([("N_L = np.dot(N, L)", "N_L = abs(np.dot(N, L))")], "shines through the surface"),
 }
