@@ -38,17 +38,19 @@ def curves(
             raise ValueError(f"plots.curves: {label!r} must be two lists of numbers of one length, (x, y)")
 
     def draw(axes: Axes) -> None:
+        from matplotlib.ticker import MaxNLocator
+
         if log:
             axes.set_yscale("log")
         for number, (label, (x, y)) in enumerate(arrays.items()):
             axes.plot(x, y, label=label, marker="o" if markers else None, markersize=5, **line_style(number))
-        for x, name in (marks or {}).items():
-            axes.axvline(x, color=FAINT, linewidth=1.2, linestyle=(0, (3, 3)), zorder=1)
-            axes.annotate(name, (x, 1.0), (4, -4), xycoords=("data", "axes fraction"), textcoords="offset points",
+        for place, name in (marks or {}).items():
+            axes.axvline(place, color=FAINT, linewidth=1.2, linestyle=(0, (3, 3)), zorder=1)
+            axes.annotate(name, (place, 1.0), (4, -4), xycoords=("data", "axes fraction"), textcoords="offset points",
                           va="top", color=FAINT, fontsize=11)  # fmt: skip
         axes.set(xlabel=xlabel, ylabel=ylabel, title=title)
         if all((x == np.rint(x)).all() for x, _ in arrays.values()):
-            axes.xaxis.get_major_locator().set_params(integer=True)
+            axes.xaxis.set_major_locator(MaxNLocator(integer=True))
         if xlim is not None:
             axes.set_xlim(*xlim)
         if ylim is not None:
@@ -80,17 +82,29 @@ def lambert() -> Plot:
     angle, cosine = _degrees(180.0)
     series = {r"$\max(N \cdot L,\ 0)$": (angle, shading.lambert(N, in_plane(angle))[:, 0]),
               r"$\cos\theta$ without clamping": (angle, cosine)}  # fmt: skip
-    return curves(series, THETA, "share of the light", title="Lambert's cosine law", marks={90.0: "grazing light"},
-                  xlim=(0, 180), alt="cos theta falls from 1 at 0 degrees to 0 at 90; beyond it is clamped to 0")  # fmt: skip
+    return curves(
+        series,
+        THETA,
+        "share of the light",
+        title="Lambert's cosine law",
+        marks={90.0: "grazing light"},
+        xlim=(0, 180),
+        alt="cos theta falls from 1 at 0 degrees to 0 at 90; beyond it is clamped to 0",
+    )
 
 
 def powers(n: Sequence[float] = (1, 5, 20, 100)) -> Plot:
     """cos^n(phi) for several n: the larger the shininess, the narrower the highlight."""
     angle, cosine = _degrees(90.0, -90.0)
     series = {f"$n = {k:g}$": (angle, shading.power(cosine, k)) for k in n}
-    return curves(series, r"angle $\varphi$ between $R$ and $V$ (degrees)", r"$\cos^n \varphi$", xlim=(-90, 90),
-                  title="Shininess: the power of the cosine",
-                  alt=f"bell curves of cos^n phi for n = {', '.join(f'{k:g}' for k in n)}: the larger n, the narrower")  # fmt: skip
+    return curves(
+        series,
+        r"angle $\varphi$ between $R$ and $V$ (degrees)",
+        r"$\cos^n \varphi$",
+        xlim=(-90, 90),
+        title="Shininess: the power of the cosine",
+        alt=f"bell curves of cos^n phi for n = {', '.join(f'{k:g}' for k in n)}: the larger n, the narrower",
+    )
 
 
 def highlights(theta: float = 45.0, n: float = 20.0, four_times: bool = True) -> Plot:
@@ -101,14 +115,22 @@ def highlights(theta: float = 45.0, n: float = 20.0, four_times: bool = True) ->
     """
     angle, _ = _degrees(90.0, -90.0)
     L, V = in_plane(-_incidence("highlights", theta)), in_plane(angle)
-    series = {f"Phong: $(R \\cdot V)^{{{n:g}}}$": (angle, shading.phong_specular(N, L, V, n)[:, 0]),
-              f"Blinn: $(N \\cdot H)^{{{n:g}}}$": (angle, shading.blinn_torrance_specular(N, L, V, n)[:, 0])}  # fmt: skip
+    series = {
+        f"Phong: $(R \\cdot V)^{{{n:g}}}$": (angle, shading.phong_specular(N, L, V, n)[:, 0]),
+        f"Blinn: $(N \\cdot H)^{{{n:g}}}$": (angle, shading.blinn_torrance_specular(N, L, V, n)[:, 0]),
+    }
     if four_times:
         both = shading.blinn_torrance_specular(N, L, V, 4.0 * n)[:, 0]
         series[f"Blinn with $4n$: $(N \\cdot H)^{{{4 * n:g}}}$"] = (angle, both)
-    return curves(series, r"angle between $N$ and $V$ (degrees), light from the left", "highlight", xlim=(-90, 90),
-                  title=rf"Two highlights, $\theta = {theta:g}°$", marks={-theta: "L", theta: "R"},
-                  alt=f"both highlights are largest at V = R, {theta:g} degrees; (N.H)^n is wider than (R.V)^n")  # fmt: skip
+    return curves(
+        series,
+        r"angle between $N$ and $V$ (degrees), light from the left",
+        "highlight",
+        xlim=(-90, 90),
+        title=rf"Two highlights, $\theta = {theta:g}°$",
+        marks={-theta: "L", theta: "R"},
+        alt=f"both highlights are largest at V = R, {theta:g} degrees; (N.H)^n is wider than (R.V)^n",
+    )
 
 
 def attenuation(factors: Sequence[tuple[float, float, float]] = ((1, 0, 0), (1, 1, 0), (1, 0, 1), (0, 0, 1)),
@@ -131,13 +153,18 @@ def _one_over(factors: tuple[float, float, float]) -> str:
 
 
 def spot(exponents: Sequence[float] = (0, 1, 8, 64), cutoff: float = 30.0) -> Plot:
-    """The spotlight factor cos^e inside of the cone.  exponents: GL_SPOT_EXPONENT; cutoff: GL_SPOT_CUTOFF in degrees."""
+    """The spotlight factor cos^e inside of the cone.  exponents: of GL_SPOT_EXPONENT; cutoff: in degrees."""
     angle, _ = _degrees(60.0 if cutoff < 60.0 else 90.0, -60.0 if cutoff < 60.0 else -90.0)
     L = -in_plane(angle)
     series = {f"$e = {e:g}$": (angle, shading.spotlight(L, N, cutoff, e)[:, 0]) for e in exponents}
-    return curves(series, "angle from the spot's direction (degrees)", r"$\cos^e$ inside of the cone, else 0",
-                  title=f"Spotlight with a cutoff of {cutoff:g}°", marks={-cutoff: "", cutoff: "cutoff"},
-                  alt=f"the spotlight factor is 0 beyond {cutoff:g} degrees; the larger the exponent, the narrower")  # fmt: skip
+    return curves(
+        series,
+        "angle from the spot's direction (degrees)",
+        r"$\cos^e$ inside of the cone, else 0",
+        title=f"Spotlight with a cutoff of {cutoff:g}°",
+        marks={-cutoff: "", cutoff: "cutoff"},
+        alt=f"the spotlight factor is 0 beyond {cutoff:g} degrees; the larger the exponent, the narrower",
+    )
 
 
 # Refractive indices n + i k near 580 nm: gold and silver from Johnson & Christy, Optical constants of the noble metals
@@ -178,9 +205,16 @@ def fresnel(
             series[f"{name}, s"], series[f"{name}, p"] = (angle, s), (angle, p)
             if not complex(n_2).imag:
                 marks[float(np.degrees(np.arctan2(complex(n_2).real, complex(n_1).real)))] = f"Brewster, {name}"
-    return curves(series, r"angle of incidence $\theta$ (degrees)", "reflected share $F$", xlim=(0, 90), ylim=(0, 1.03),
-                  title="Fresnel reflectance", marks=marks,
-                  alt=f"reflectance over the angle for {', '.join(series)}: at grazing incidence all reaches 1")  # fmt: skip
+    return curves(
+        series,
+        r"angle of incidence $\theta$ (degrees)",
+        "reflected share $F$",
+        xlim=(0, 90),
+        ylim=(0, 1.03),
+        title="Fresnel reflectance",
+        marks=marks,
+        alt=f"reflectance over the angle for {', '.join(series)}: at grazing incidence all reaches 1",
+    )
 
 
 def polarised_shares(cosine: ArrayLike, n_1: complex, n_2: complex) -> tuple[Float, Float]:
@@ -193,10 +227,13 @@ def polarised_shares(cosine: ArrayLike, n_1: complex, n_2: complex) -> tuple[Flo
     with np.errstate(invalid="ignore"):
         s = (n_1 * cos_1 - n_2 * cos_2) / (n_1 * cos_1 + n_2 * cos_2)
         p = (n_2 * cos_1 - n_1 * cos_2) / (n_2 * cos_1 + n_1 * cos_2)
-    return tuple(np.minimum(np.abs(np.nan_to_num(share)) ** 2, 1.0) for share in (s, p))  # type: ignore[return-value]
+    s, p = (np.minimum(np.abs(np.nan_to_num(share)) ** 2, 1.0) for share in (s, p))
+    return s, p
 
 
-def snell(pairs: Sequence[tuple[str | float, str | float]] = (("air", "water"), ("air", "glass"), ("glass", "air"))) -> Plot:  # fmt: skip
+def snell(
+    pairs: Sequence[tuple[str | float, str | float]] = (("air", "water"), ("air", "glass"), ("glass", "air")),
+) -> Plot:
     """Snell: the angle of refraction over the angle of incidence.  pairs: (from, into), names of MEDIA or indices."""
     angle, _ = _degrees(89.999)
     series, marks = {}, {}
@@ -225,8 +262,15 @@ def fog(density: float = 0.35, start: float = 1.0, end: float = 6.0, farthest: f
         name: (z, [fog_factor(Fog(mode=mode, density=density, start=start, end=end), float(d)) for d in z])
         for name, mode in modes.items()
     }
-    return curves(series, "distance from the eye (units of the scene)", "share $f$ of the fragment's own colour",
-                  title="Fog", xlim=(0, farthest), ylim=(0, 1.05), alt="three fog factors that fall with the distance")  # fmt: skip
+    return curves(
+        series,
+        "distance from the eye (units of the scene)",
+        "share $f$ of the fragment's own colour",
+        title="Fog",
+        xlim=(0, farthest),
+        ylim=(0, 1.05),
+        alt="three fog factors that fall with the distance",
+    )
 
 
 def interpolation(depths: tuple[float, float] = (1.0, 5.0)) -> Plot:
@@ -241,22 +285,36 @@ def interpolation(depths: tuple[float, float] = (1.0, 5.0)) -> Plot:
     s = np.linspace(0.0, 1.0, 401)
     t = s / w_2 / ((1.0 - s) / w_1 + s / w_2)
     series = {"hyperbolic: perspective-correct": (s, t), "affine: linear on the screen": (s, s)}
-    return curves(series, "place $s$ between the ends on the screen", "place $t$ between the ends on the edge",
-                  title=f"An edge from distance {w_1:g} to {w_2:g}", marks={0.5: ""}, xlim=(0, 1), ylim=(0, 1),
-                  alt=f"in the middle of the screen the edge is only at {t[200]:.2f} of its length, not at 0.5")  # fmt: skip
+    return curves(
+        series,
+        "place $s$ between the ends on the screen",
+        "place $t$ between the ends on the edge",
+        title=f"An edge from distance {w_1:g} to {w_2:g}",
+        marks={0.5: ""},
+        xlim=(0, 1),
+        ylim=(0, 1),
+        alt=f"in the middle of the screen the edge is only at {t[200]:.2f} of its length, not at 0.5",
+    )
 
 
 def form_factor_distance(farthest: float = 5.0) -> Plot:
     """Form factors of two parallel unit squares that face each other, over the distance: exact and approximate."""
     d = np.linspace(0.05, farthest, 400)
-    series = {
+    far = np.where(d > 0.5, 1.0 / (np.pi * d * d), np.nan)
+    series: Curves = {
         "two unit squares, exact": (d, parallel_squares(d)),
         "middle of one to the other, exact": (d, [point_to_square(x, 0.0) for x in d]),
-        r"small patches: $A\,\cos\theta_i\,\cos\theta_j / (\pi r^2)$": (d, np.where(d > 0.5, 1.0 / (np.pi * d * d), np.nan)),
+        r"small patches: $A\,\cos\theta_i\,\cos\theta_j / (\pi r^2)$": (d, far),
     }  # fmt: skip
-    return curves(series, "distance (side lengths)", "form factor $F$", title="Form factor and distance",
-                  xlim=(0, farthest), ylim=(0, 1.03),
-                  alt="form factors fall with the distance; far away with its square, near they approach 1")  # fmt: skip
+    return curves(
+        series,
+        "distance (side lengths)",
+        "form factor $F$",
+        title="Form factor and distance",
+        xlim=(0, farthest),
+        ylim=(0, 1.03),
+        alt="form factors fall with the distance; far away with its square, near they approach 1",
+    )
 
 
 def form_factor_angle(distance: float = 2.0) -> Plot:
@@ -264,11 +322,17 @@ def form_factor_angle(distance: float = 2.0) -> Plot:
     if not distance > 0.5:
         raise ValueError(f"plots.form_factor_angle: the distance must be more than half a side, not {distance:g}")
     angle, cosine = _degrees()
-    series = {"exact": (angle, [point_to_square(distance, a) for a in angle]),
+    series: Curves = {"exact": (angle, [point_to_square(distance, a) for a in angle]),
               r"$A\,\cos\theta_j / (\pi r^2)$": (angle, cosine / (np.pi * distance**2))}  # fmt: skip
-    return curves(series, r"angle $\theta_j$ by which the square is turned away (degrees)", "form factor $F$",
-                  title=f"Form factor and angle, {distance:g} side lengths away", xlim=(0, 90), ylim=(0, None),
-                  alt="the form factor falls like the cosine of the angle by which the square is turned away")  # fmt: skip
+    return curves(
+        series,
+        r"angle $\theta_j$ by which the square is turned away (degrees)",
+        "form factor $F$",
+        title=f"Form factor and angle, {distance:g} side lengths away",
+        xlim=(0, 90),
+        ylim=(0, None),
+        alt="the form factor falls like the cosine of the angle by which the square is turned away",
+    )
 
 
 def parallel_squares(d: ArrayLike) -> Float:
@@ -299,7 +363,7 @@ def residuals(results: Any) -> Plot:
     results: a Radiosity, or label -> Radiosity or list of SolverStep.
     """
     named = results if isinstance(results, Mapping) else {results.solver: results}
-    steps = {label: getattr(result, "steps", result) for label, result in named.items()}
+    steps: dict[str, Any] = {label: getattr(result, "steps", result) for label, result in named.items()}
     series = {
         label: ([step.iteration for step in of], [max(step.residual, 1e-17) for step in of])
         for label, of in steps.items()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -51,7 +52,9 @@ def reflection(theta: float | Sequence[float] = 40.0) -> Plot:
     return diagram(draw, f"light reflected at {_list(angles)} degrees on both sides of the normal")
 
 
-def refraction(n_1: str | float = "air", n_2: str | float = "glass", theta: float | Sequence[float] = (20, 40, 60)) -> Plot:  # fmt: skip
+def refraction(
+    n_1: str | float = "air", n_2: str | float = "glass", theta: float | Sequence[float] = (20, 40, 60)
+) -> Plot:
     """Snell's law: rays from one medium into another, with the share that is reflected as their width.
 
     n_1, n_2: names of plots.MEDIA or refractive indices, above and below the surface.  theta: angles of incidence in
@@ -147,7 +150,7 @@ def cosine_law(theta: Sequence[float] = (0, 40, 65)) -> Plot:
         raise ValueError(f"plots.cosine_law: angles must be in [0, 80] degrees, not {max(angles):g}")
     w = 0.5
     feet = [w / np.cos(np.radians(t)) for t in angles]
-    middles = np.cumsum([feet[0] / 2.0, *(f / 2.0 + g / 2.0 + 0.95 for f, g in zip(feet, feet[1:], strict=False))])
+    middles = np.cumsum([feet[0] / 2.0, *(f / 2.0 + g / 2.0 + 0.95 for f, g in pairwise(feet))])
 
     def draw(axes: Axes) -> None:
         left, right = -0.9, float(middles[-1] + feet[-1] / 2.0 + 0.5)
@@ -259,8 +262,7 @@ def _room(axes: Axes, half: float, y: tuple[float, float]) -> None:
 
 
 def _label(axes: Axes, place: ArrayLike, text: str, color: str = INK, ha: str = "center") -> None:
-    x, y = np.asarray(place, float)
-    axes.text(x, y, text, color=color, ha=ha, va="center", fontsize=14)  # type: ignore[arg-type]
+    axes.text(*_place(place), text, color=color, ha=ha, va="center", fontsize=14)
 
 
 def _arrow(
@@ -268,9 +270,9 @@ def _arrow(
 ) -> None:
     """A vector from start to end, with its name beside the tip (off: points)."""
     style = {"arrowstyle": "-|>", "color": color, "lw": 2.6, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 18}
-    axes.annotate("", np.asarray(end), np.asarray(start), arrowprops=style)
+    axes.annotate("", _place(end), _place(start), arrowprops=style)
     if name:
-        axes.annotate(name, np.asarray(end), off, textcoords="offset points", color=color, ha="center", va="center",
+        axes.annotate(name, _place(end), off, textcoords="offset points", color=color, ha="center", va="center",
                       fontsize=16)  # fmt: skip
 
 
@@ -283,6 +285,11 @@ def _ray(
     place = start + 0.55 * (end - start)
     style = {"arrowstyle": "-|>", "color": color, "lw": 0.1, "mutation_scale": head, "alpha": alpha}
     axes.annotate("", place + 0.02 * (end - start), place, arrowprops=style)
+
+
+def _place(point: ArrayLike) -> tuple[float, float]:
+    x, y = np.asarray(point, float)
+    return float(x), float(y)
 
 
 def _angle(axes: Axes, first: float, last: float, radius: float, text: str, color: str = INK) -> None:

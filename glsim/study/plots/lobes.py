@@ -71,7 +71,7 @@ def lobes(
 def polar(degrees: ArrayLike, radius: ArrayLike) -> Float:
     """Points (2, ...) at angles from the normal, which points up; positive angles lean to the right."""
     angle = np.radians(np.asarray(degrees, float))
-    return np.stack([np.sin(angle), np.cos(angle)]) * np.asarray(radius, float)
+    return np.asarray(np.stack([np.sin(angle), np.cos(angle)]) * np.asarray(radius, float))
 
 
 def _radius(model: Any, theta: float, angle: Float, cosine: bool) -> Float:
@@ -108,8 +108,10 @@ def _half_disc(axes: Axes, radius: float) -> None:
 
 def _rays(axes: Axes, theta: float, radius: float) -> None:
     """The light from the left, and the mirrored direction R to the right."""
-    start, end = polar(-theta, radius), polar(-theta, 0.03 * radius)
-    axes.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": INK, "lw": 2.2, "mutation_scale": 18})
+    (x_1, y_1), (x_2, y_2) = polar(-theta, radius), polar(-theta, 0.03 * radius)
+    axes.annotate(
+        "", (x_2, y_2), (x_1, y_1), arrowprops={"arrowstyle": "-|>", "color": INK, "lw": 2.2, "mutation_scale": 18}
+    )
     axes.plot(*polar(theta, [0.0, radius]), color=FAINT, linewidth=1.2, linestyle=(0, (3, 3)), zorder=1)
     for name, degrees in (("L", -theta - 5.0), ("R", theta + 5.0)):
         x, y = polar(degrees, 0.92 * radius)

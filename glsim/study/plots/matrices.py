@@ -44,7 +44,7 @@ def matrix(
             axes.set(xlabel="patch $j$, which receives", ylabel="patch $i$, which sends")
         axes.set_title(title)
         assert axes.figure is not None
-        axes.figure.colorbar(image, ax=axes, label=words, shrink=0.85).outline.set_visible(False)  # type: ignore[operator]
+        axes.figure.colorbar(image, ax=axes, label=words, shrink=0.85).outline.set_visible(False)
 
     return plot(
         draw, f"{title or bar or 'a matrix'}: {M.shape[0]} x {M.shape[1]} values as colours", (side + 1.2, side)
@@ -118,9 +118,11 @@ def _cells(axes: Axes, M: Float, log: bool, numbers: bool, left: float = 0.0) ->
     axes.grid(False)
     for (row, column), value in np.ndenumerate(M) if numbers else ():
         r, g, b, _ = colors(norm(value))
+        text = f"{value:.2f}".replace("-0.00", "0.00")
         dark = 0.3 * r + 0.59 * g + 0.11 * b < 0.55
-        axes.text(left + column + 0.5, row + 0.5, f"{value:.2f}".replace("-0.00", "0.00"), ha="center", va="center", fontsize=11,
-                  color=PAPER if dark else INK)  # fmt: skip
+        axes.text(
+            left + column + 0.5, row + 0.5, text, color=PAPER if dark else INK, ha="center", va="center", fontsize=11
+        )
     return image
 
 

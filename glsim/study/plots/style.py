@@ -43,7 +43,7 @@ def styled() -> Iterator[None]:
         from matplotlib import rc_context
     except ImportError as error:
         raise ImportError(MISSING) from error
-    with rc_context(STYLE):
+    with rc_context(STYLE):  # type: ignore[arg-type,unused-ignore]  # newer stubs of matplotlib want literal keys
         yield
 
 
