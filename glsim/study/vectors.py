@@ -222,7 +222,9 @@ def _where(fragment: Fragment, chosen: Evaluation) -> str:
 def _remarks(chosen: Evaluation, light: LightTerms) -> list[str]:
     """What a student should know about these vectors."""
     lobe = "Phong's (R·V)" if light.vector == "R" else "Blinn's (N·H)"
-    remarks = [f"The highlight is {lobe} to the power of {chosen.n:g}."]
+    remarks = [f"The highlight is {lobe} to the power of {chosen.n:.3g}."]
+    if not any(chosen.k_s):
+        remarks = ["k_s = 0: the material has no highlight."]
     length = float(np.linalg.norm(chosen.N))
     if abs(length - 1.0) > 1e-3:
         remarks.append(f"N is not of unit length: |N| = {length:.3f}; here it is drawn as if it were.")

@@ -114,7 +114,7 @@ def highlights(theta: float = 45.0, n: float = 20.0, four_times: bool = True) ->
     Phong's highlight, because there the angle between N and H is half of that between R and V.
     """
     angle, _ = _degrees(90.0, -90.0)
-    L, V = in_plane(-_incidence("highlights", theta)), in_plane(angle)
+    L, V = in_plane(-incidence("highlights", theta)), in_plane(angle)
     series = {
         f"Phong: $(R \\cdot V)^{{{n:g}}}$": (angle, shading.phong_specular(N, L, V, n)[:, 0]),
         f"Blinn: $(N \\cdot H)^{{{n:g}}}$": (angle, shading.blinn_torrance_specular(N, L, V, n)[:, 0]),
@@ -149,7 +149,7 @@ def _one_over(factors: tuple[float, float, float]) -> str:
              for k, unit in zip(factors, ("", "d", "d^2"), strict=True) if k]  # fmt: skip
     if not parts:
         raise ValueError("plots.attenuation: one of the three factors must be more than 0")
-    return f"$1 / ({' + '.join(parts)})$" if len(parts) > 1 else f"$1 / {parts[0]}$"
+    return f"$1 / ({' + '.join(parts)})$" if len(parts) > 1 else "$1$" if parts == ["1"] else f"$1 / {parts[0]}$"
 
 
 def spot(exponents: Sequence[float] = (0, 1, 8, 64), cutoff: float = 30.0) -> Plot:
@@ -211,7 +211,7 @@ def fresnel(
         "reflected share $F$",
         xlim=(0, 90),
         ylim=(0, 1.03),
-        title="Fresnel reflectance",
+        title="Fresnel reflectance" + ("" if inside == "air" else f", from {medium(inside)[0]}"),
         marks=marks,
         alt=f"reflectance over the angle for {', '.join(series)}: at grazing incidence all reaches 1",
     )
@@ -373,7 +373,15 @@ def residuals(results: Any) -> Plot:
                   alt=f"the residual over the iterations on a logarithmic scale: {', '.join(series)}")  # fmt: skip
 
 
-def _incidence(call: str, theta: float) -> float:
+def incidence(call: str, theta: float) -> float:
     if not 0.0 <= theta < 90.0:
         raise ValueError(f"plots.{call}: the angle of incidence must be in [0, 90) degrees, not {theta:g}")
     return float(theta)
+
+
+def incidences(call: str, theta: float | Sequence[float]) -> list[float]:
+    """One angle of incidence, or several.  Raises ValueError for none."""
+    angles = [theta] if isinstance(theta, int | float) else list(theta)
+    if not angles:
+        raise ValueError(f"plots.{call}: at least one angle is needed")
+    return [incidence(call, angle) for angle in angles]

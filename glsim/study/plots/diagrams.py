@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from glsim import shading
-from glsim.study.plots.curves import N, _incidence, in_plane, medium, polarised_shares
+from glsim.study.plots.curves import N, in_plane, incidence, incidences, medium, polarised_shares
 from glsim.study.plots.style import BLUE, COLORS, FAINT, GREEN, INK, ORANGE, PINK, RED, SURFACE, Plot, diagram
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ def reflection(theta: float | Sequence[float] = 40.0) -> Plot:
 
     theta: angle of incidence in degrees, or several, each in a colour of its own.
     """
-    angles = _angles("reflection", theta)
+    angles = incidences("reflection", theta)
 
     def draw(axes: Axes) -> None:
         _ground(axes)
@@ -62,7 +62,7 @@ def refraction(
     """
     (name_1, a), (name_2, b) = medium(n_1), medium(n_2)
     n_a, n_b = complex(a).real, complex(b).real
-    angles = _angles("refraction", theta)
+    angles = incidences("refraction", theta)
     total = [t for t in angles if n_a * np.sin(np.radians(t)) > n_b]
 
     def draw(axes: Axes) -> None:
@@ -92,7 +92,7 @@ def refraction(
 
 def computing_r(theta: float = 35.0) -> Plot:
     """The lecture's construction R = (N.L) N + S with S = (N.L) N - L.  theta: angle of incidence in degrees."""
-    theta = _incidence("computing_r", theta)
+    theta = incidence("computing_r", theta)
     L, R = at(-theta), at(theta)
     foot = np.array([0.0, L[1]])
 
@@ -120,7 +120,9 @@ def halfway(light: float = 50.0, eye: float = 10.0) -> Plot:
 
     light, eye: angles of L (to the left) and V (to the right of N if positive) from N, in degrees, in (-90, 90).
     """
-    light = _incidence("halfway", light)
+    for angle in (light, eye):
+        if not -90.0 < angle < 90.0:
+            raise ValueError(f"plots.halfway: angles must be in (-90, 90) degrees, not {angle:g}")
     L, V = in_plane(-light), in_plane(eye)
     H, R = shading.halfway(L, V)[[0, 2]], shading.reflection(N, L)[[0, 2]]
     middle = (eye - light) / 2.0
@@ -145,15 +147,18 @@ def cosine_law(theta: Sequence[float] = (0, 40, 65)) -> Plot:
 
     theta: angles of incidence in degrees, each in [0, 80].
     """
-    angles = _angles("cosine_law", theta)
+    angles = incidences("cosine_law", theta)
     if max(angles) > 80.0:
         raise ValueError(f"plots.cosine_law: angles must be in [0, 80] degrees, not {max(angles):g}")
     w = 0.5
     feet = [w / np.cos(np.radians(t)) for t in angles]
-    middles = np.cumsum([feet[0] / 2.0, *(f / 2.0 + g / 2.0 + 0.95 for f, g in pairwise(feet))])
+    gaps = [max(0.95, 0.3 + 1.25 * (np.sin(b) - np.cos(b) * np.tan(a))) for a, b in pairwise(np.radians(angles))]
+    steps = [gap + (f + g) / 2.0 for gap, (f, g) in zip(gaps, pairwise(feet), strict=True)]
+    middles = np.cumsum([feet[0] / 2.0, *steps])
 
     def draw(axes: Axes) -> None:
-        left, right = -0.9, float(middles[-1] + feet[-1] / 2.0 + 0.5)
+        left = min(-0.9, -0.3 - 1.25 * float(np.sin(np.radians(angles[0]))))
+        right = float(middles[-1] + feet[-1] / 2.0 + 0.5)
         axes.fill_between([left, right], -0.16, 0.0, color=SURFACE, linewidth=0)
         axes.plot([left, right], [0, 0], color=INK, linewidth=2.0)
         for t, foot, x in zip(angles, feet, middles, strict=True):
@@ -194,7 +199,7 @@ def nusselt(elevation: float = 50.0, size: float = 0.7, distance: float = 1.7) -
     elevation: angle of the patch's middle from the normal in degrees; size, distance: of the patch, in radii.
     The form factor is the share of the base circle that is covered.
     """
-    elevation = _incidence("nusselt", elevation)
+    elevation = incidence("nusselt", elevation)
     if not (0.0 < size < 2.0 and distance > 1.0):
         raise ValueError("plots.nusselt: the size must be in (0, 2) and the distance more than 1, in radii")
     middle, across = at(elevation, distance), at(elevation + 90.0, size / 2.0)
@@ -227,13 +232,6 @@ def nusselt(elevation: float = 50.0, size: float = 0.7, distance: float = 1.7) -
 
 
 # ---------------------------------------------------------------- strokes
-
-
-def _angles(call: str, theta: float | Sequence[float]) -> list[float]:
-    angles = [theta] if isinstance(theta, int | float) else list(theta)
-    if not angles:
-        raise ValueError(f"plots.{call}: at least one angle is needed")
-    return [_incidence(call, angle) for angle in angles]
 
 
 def _list(angles: Sequence[float]) -> str:
