@@ -80,4 +80,4 @@ def matrix(F: NDArray[np.float64], size: int = 640) -> Image.Image:
 
 def _step(n: int) -> int:
     """The distance of the numbers that are written at n rows: 1, 2 or 5 times a power of ten, at most 12 of them."""
-    return next(k * 10**power for power in range(9) for k in (1, 2, 5) if n <= 12 * k * 10**power)
+    return int(next(k * 10**power for power in range(9) for k in (1, 2, 5) if n <= 12 * k * 10**power))

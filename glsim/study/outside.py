@@ -44,6 +44,8 @@ def outside(
     Of a frame with several cameras the one with the most vertices is shown.
 
     Raises ValueError if nothing is drawn, or its projection has no inverse.
+
+    Example: ``glsim.outside("teapot", azimuth=60, elevation=20).save("outside.png")``
     """
     frame: Frame = frame_of(what, **options)
     world = _world(frame)

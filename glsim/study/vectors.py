@@ -43,6 +43,8 @@ def vectors(
     weight is largest; the others show their N.  An arrow that points at the eye is a ring with a dot.
 
     Raises ValueError where no lit surface is seen, or for a light that is not on.
+
+    Example: ``glsim.vectors("sphere", 240, 200, light=0).save("vectors.png")``
     """
     if not 0.02 <= length <= 1.0:
         raise ValueError(f"vectors: length must be in [0.02, 1], a share of the picture, not {length}")

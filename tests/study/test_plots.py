@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import builtins
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from glsim import plots, shading
+from glsim import plots, radiosity, shading
 from glsim.study.plots.curves import parallel_squares, point_to_square, polarised_shares
 from glsim.study.plots.lobes import polar
 
@@ -46,7 +47,27 @@ def test_every_plot_draws_within_its_axes_and_says_what_it_is(tmp_path: Path) ->
         assert plot.alt in repr(plot)
         plot.save(tmp_path / f"{name}.svg")
         assert (tmp_path / f"{name}.svg").read_text().endswith("</svg>\n"), name
-        assert make().svg() == make().svg(), f"{name} is not the same twice"
+
+
+@pytest.mark.parametrize("name", ["form_factor_distance", "lobes", "matrix"])
+def test_an_svg_is_the_same_each_time_and_its_clips_are_its_own(name: str) -> None:
+    svg = ALL[name]().svg()
+    assert svg == ALL[name]().svg()
+    named = set(re.findall(r'<clipPath id="([\w-]+)"', svg))
+    assert set(re.findall(r"url\(#([\w-]+)\)", svg)) == named
+    assert not named & set(re.findall(r'<clipPath id="([\w-]+)"', plots.lambert().svg()))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [name for name in dir(plots) if callable(getattr(plots, name)) and name[0].islower()])
+def test_examples_of_the_docstrings(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    example = re.search(r"Example: ``(.*)``", getattr(plots, name).__doc__)
+    if example is None:
+        assert name.endswith("_term")  # made for lobes, in whose example they are
+        return
+    monkeypatch.chdir(tmp_path)
+    plot = eval(example[1], {"plots": plots, "radiosity": radiosity, "x": np.linspace(0.0, 2.0)})
+    assert plot is None or plot.svg().endswith("</svg>\n")
 
 
 def test_curves_are_the_functions() -> None:

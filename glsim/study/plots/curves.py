@@ -29,6 +29,8 @@ def curves(
     log: the y axis is logarithmic.  markers: a dot at each point.  marks: x -> the name of a vertical line there.
     alt: in words what is seen; made of the labels if it is empty.  Raises ValueError for arrays of different lengths,
     or none at all.
+
+    Example: ``plots.curves({"$x^2$": (x, x * x), "$x^3$": (x, x**3)}, "x", "y", marks={1.0: "equal"})``
     """
     if not series:
         raise ValueError("plots.curves: at least one curve is needed, as {label: (x, y)}")
@@ -78,7 +80,10 @@ THETA = r"angle $\theta$ between $N$ and $L$ (degrees)"
 
 
 def lambert() -> Plot:
-    """Lambert's law: cos(theta) = N.L, and what clamping makes of it where the light is behind the surface."""
+    """Lambert's law: cos(theta) = N.L, and what clamping makes of it where the light is behind the surface.
+
+    Example: ``plots.lambert().save("lambert.svg")``
+    """
     angle, cosine = _degrees(180.0)
     series = {r"$\max(N \cdot L,\ 0)$": (angle, shading.lambert(N, in_plane(angle))[:, 0]),
               r"$\cos\theta$ without clamping": (angle, cosine)}  # fmt: skip
@@ -94,7 +99,10 @@ def lambert() -> Plot:
 
 
 def powers(n: Sequence[float] = (1, 5, 20, 100)) -> Plot:
-    """cos^n(phi) for several n: the larger the shininess, the narrower the highlight."""
+    """cos^n(phi) for several n: the larger the shininess, the narrower the highlight.
+
+    Example: ``plots.powers((1, 10, 100))``
+    """
     angle, cosine = _degrees(90.0, -90.0)
     series = {f"$n = {k:g}$": (angle, shading.power(cosine, k)) for k in n}
     return curves(
@@ -112,6 +120,8 @@ def highlights(theta: float = 45.0, n: float = 20.0, four_times: bool = True) ->
 
     theta: angle of incidence in degrees, in [0, 90); n: shininess; four_times: (N.H)^(4 n) too, which near R is almost
     Phong's highlight, because there the angle between N and H is half of that between R and V.
+
+    Example: ``plots.highlights(theta=30, n=50)``
     """
     angle, _ = _degrees(90.0, -90.0)
     L, V = in_plane(-incidence("highlights", theta)), in_plane(angle)
@@ -135,7 +145,10 @@ def highlights(theta: float = 45.0, n: float = 20.0, four_times: bool = True) ->
 
 def attenuation(factors: Sequence[tuple[float, float, float]] = ((1, 0, 0), (1, 1, 0), (1, 0, 1), (0, 0, 1)),
                 farthest: float = 5.0) -> Plot:  # fmt: skip
-    """1 / (a + b d + c d^2) over the distance.  factors: (a, b, c) of each curve, as glLight takes them."""
+    """1 / (a + b d + c d^2) over the distance.  factors: (a, b, c) of each curve, as glLight takes them.
+
+    Example: ``plots.attenuation(((1, 0, 0), (1, 0.5, 0), (1, 0, 0.5)), farthest=8)``
+    """
     d = np.linspace(farthest / 500.0, farthest, 500)
     series = {_one_over((a, b, c)): (d, shading.attenuation(d, a, b, c)) for a, b, c in factors}
     return curves(series, "distance $d$ from the light (units of the scene)", r"$1 / (a + b\,d + c\,d^2)$",
@@ -153,7 +166,10 @@ def _one_over(factors: tuple[float, float, float]) -> str:
 
 
 def spot(exponents: Sequence[float] = (0, 1, 8, 64), cutoff: float = 30.0) -> Plot:
-    """The spotlight factor cos^e inside of the cone.  exponents: of GL_SPOT_EXPONENT; cutoff: in degrees."""
+    """The spotlight factor cos^e inside of the cone.  exponents: of GL_SPOT_EXPONENT; cutoff: in degrees.
+
+    Example: ``plots.spot((0, 4, 32), cutoff=25)``
+    """
     angle, _ = _degrees(60.0 if cutoff < 60.0 else 90.0, -60.0 if cutoff < 60.0 else -90.0)
     L = -in_plane(angle)
     series = {f"$e = {e:g}$": (angle, shading.spotlight(L, N, cutoff, e)[:, 0]) for e in exponents}
@@ -193,6 +209,8 @@ def fresnel(
 
     media: behind the boundary: names of MEDIA or refractive indices, n + 1j k for metals.  inside: where the light
     comes from.  polarised: the two polarisations as well, s (across the plane of incidence) and p (in it).
+
+    Example: ``plots.fresnel(("glass", 1.8, "gold"), polarised=True)``
     """
     angle, cosine = _degrees()
     _, n_1 = medium(inside)
@@ -234,7 +252,10 @@ def polarised_shares(cosine: ArrayLike, n_1: complex, n_2: complex) -> tuple[Flo
 def snell(
     pairs: Sequence[tuple[str | float, str | float]] = (("air", "water"), ("air", "glass"), ("glass", "air")),
 ) -> Plot:
-    """Snell: the angle of refraction over the angle of incidence.  pairs: (from, into), names of MEDIA or indices."""
+    """Snell: the angle of refraction over the angle of incidence.  pairs: (from, into), names of MEDIA or indices.
+
+    Example: ``plots.snell((("air", "diamond"), ("water", "air")))``
+    """
     angle, _ = _degrees(89.999)
     series, marks = {}, {}
     for first, second in pairs:
@@ -250,7 +271,10 @@ def snell(
 
 
 def fog(density: float = 0.35, start: float = 1.0, end: float = 6.0, farthest: float = 8.0) -> Plot:
-    """OpenGL's three fog factors f over the distance: f C + (1 - f) C_fog."""
+    """OpenGL's three fog factors f over the distance: f C + (1 - f) C_fog.
+
+    Example: ``plots.fog(density=0.2, start=2, end=10, farthest=12)``
+    """
     from glsim.machine import constants as gl
     from glsim.machine.state import Fog
     from glsim.study.fragments import fog_factor
@@ -278,6 +302,8 @@ def interpolation(depths: tuple[float, float] = (1.0, 5.0)) -> Plot:
 
     depths: distances of the two ends from the eye (w of clip space), more than 0.  Half-way on the screen is not
     half-way on the edge:  t = (s / w_2) / ((1 - s) / w_1 + s / w_2).
+
+    Example: ``plots.interpolation((1, 20))``
     """
     w_1, w_2 = depths
     if not (w_1 > 0.0 and w_2 > 0.0):
@@ -298,7 +324,10 @@ def interpolation(depths: tuple[float, float] = (1.0, 5.0)) -> Plot:
 
 
 def form_factor_distance(farthest: float = 5.0) -> Plot:
-    """Form factors of two parallel unit squares that face each other, over the distance: exact and approximate."""
+    """Form factors of two parallel unit squares that face each other, over the distance: exact and approximate.
+
+    Example: ``plots.form_factor_distance(farthest=3)``
+    """
     d = np.linspace(0.05, farthest, 400)
     far = np.where(d > 0.5, 1.0 / (np.pi * d * d), np.nan)
     series: Curves = {
@@ -318,7 +347,10 @@ def form_factor_distance(farthest: float = 5.0) -> Plot:
 
 
 def form_factor_angle(distance: float = 2.0) -> Plot:
-    """The form factor from a point to a unit square at a distance (side lengths) that turns round its middle."""
+    """The form factor from a point to a unit square at a distance (side lengths) that turns round its middle.
+
+    Example: ``plots.form_factor_angle(distance=1)``
+    """
     if not distance > 0.5:
         raise ValueError(f"plots.form_factor_angle: the distance must be more than half a side, not {distance:g}")
     angle, cosine = _degrees()
@@ -361,6 +393,8 @@ def residuals(results: Any) -> Plot:
     """How the residual of radiosity solvers falls, logarithmically.
 
     results: a Radiosity, or label -> Radiosity or list of SolverStep.
+
+    Example: ``plots.residuals({name: radiosity.solve("goral", 60, solver=name) for name in ("jacobi", "cg")})``
     """
     named = results if isinstance(results, Mapping) else {results.solver: results}
     steps: dict[str, Any] = {label: getattr(result, "steps", result) for label, result in named.items()}

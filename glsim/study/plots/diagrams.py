@@ -28,6 +28,8 @@ def reflection(theta: float | Sequence[float] = 40.0) -> Plot:
     """The law of reflection: the ray leaves at the angle at which it came.
 
     theta: angle of incidence in degrees, or several, each in a colour of its own.
+
+    Example: ``plots.reflection((20, 50))``
     """
     angles = incidences("reflection", theta)
 
@@ -59,6 +61,8 @@ def refraction(
 
     n_1, n_2: names of plots.MEDIA or refractive indices, above and below the surface.  theta: angles of incidence in
     degrees.  Rays beyond the critical angle are reflected totally.
+
+    Example: ``plots.refraction("glass", "air", (20, 35, 60))``
     """
     (name_1, a), (name_2, b) = medium(n_1), medium(n_2)
     n_a, n_b = complex(a).real, complex(b).real
@@ -91,7 +95,10 @@ def refraction(
 
 
 def computing_r(theta: float = 35.0) -> Plot:
-    """The lecture's construction R = (N.L) N + S with S = (N.L) N - L.  theta: angle of incidence in degrees."""
+    """The lecture's construction R = (N.L) N + S with S = (N.L) N - L.  theta: angle of incidence in degrees.
+
+    Example: ``plots.computing_r(35)``
+    """
     theta = incidence("computing_r", theta)
     L, R = at(-theta), at(theta)
     foot = np.array([0.0, L[1]])
@@ -119,6 +126,8 @@ def halfway(light: float = 50.0, eye: float = 10.0) -> Plot:
     """H halfway between L and V, and R: the angle between N and H is half of that between R and V.
 
     light, eye: angles of L (to the left) and V (to the right of N if positive) from N, in degrees, in (-90, 90).
+
+    Example: ``plots.halfway(light=50, eye=10)``
     """
     for angle in (light, eye):
         if not -90.0 < angle < 90.0:
@@ -146,6 +155,8 @@ def cosine_law(theta: Sequence[float] = (0, 40, 65)) -> Plot:
     """The proof of Lambert's cosine law: a beam as wide as w lights a footprint of w / cos(theta).
 
     theta: angles of incidence in degrees, each in [0, 80].
+
+    Example: ``plots.cosine_law((0, 30, 60))``
     """
     angles = incidences("cosine_law", theta)
     if max(angles) > 80.0:
@@ -198,6 +209,8 @@ def nusselt(elevation: float = 50.0, size: float = 0.7, distance: float = 1.7) -
 
     elevation: angle of the patch's middle from the normal in degrees; size, distance: of the patch, in radii.
     The form factor is the share of the base circle that is covered.
+
+    Example: ``plots.nusselt(elevation=30, size=0.7)``
     """
     elevation = incidence("nusselt", elevation)
     if not (0.0 < size < 2.0 and distance > 1.0):

@@ -38,6 +38,8 @@ def lobes(
     models: label -> a BRDF of glsim.shading, of which f (1/sr) is drawn, or a function of N, L, V such as phong_term,
     of which I is drawn.  theta: angle of incidence in degrees, or several.  cosine: multiply a BRDF by N.L, so that it
     is comparable with terms.  largest: of the scale; what is larger is cut off.
+
+    Example: ``plots.lobes({"Phong": plots.phong_term(n=20), "Blinn": plots.blinn_term(n=20)}, theta=40)``
     """
     if not models:
         raise ValueError("plots.lobes: at least one model is needed, as {label: BRDF}")
