@@ -18,7 +18,7 @@ from glsim.machine.assembly import corners, counterclockwise, outlines
 from glsim.machine.clipping import BOUNDARY, INTERIOR, INTRODUCED, VIEW_PLANES, clipped, distances, edge_kinds
 from glsim.machine.frame import Draw, Vertices
 from glsim.machine.stage import vertex_stage
-from glsim.machine.state import Lighting, Material, Snapshot
+from glsim.machine.state import Hints, Lighting, Material, Snapshot
 from glsim.render.lines import clip_positions, eye_and_clip, lines, positions, widened
 
 Float = NDArray[np.float32]
@@ -26,7 +26,7 @@ Float = NDArray[np.float32]
 
 def prepare(draws: Iterable[Draw]) -> Iterator[Draw]:
     """The same picture as Draws that the core profile can draw: the Draws themselves where it can, else others."""
-    draws = list(draws)
+    draws = [_without_affine(draw) if _behind_the_eye(draw) else draw for draw in draws]
     if not any(map(_need, draws)):
         yield from draws
         return
@@ -37,6 +37,19 @@ def prepare(draws: Iterable[Draw]) -> Iterator[Draw]:
             yield from lines(list(group))
         else:
             yield from group
+
+
+def _behind_the_eye(draw: Draw) -> bool:
+    """Whether values should be interpolated linearly between places on the screen that a vertex does not have."""
+    if draw.state.hints.perspective_correction != gl.GL_AFFINE_GLSIM:
+        return False
+    count = draw.count if draw.indices is None else len(draw.indices)
+    numbers = np.arange(count, dtype=np.uint32) if draw.indices is None else draw.indices
+    return bool((clip_positions(draw, numbers + np.uint32(draw.first))[:, 3] <= 0.0).any())
+
+
+def _without_affine(draw: Draw) -> Draw:
+    return draw.with_state(draw.state._replace(hints=Hints()))
 
 
 def _need(draw: Draw) -> str:
