@@ -119,8 +119,8 @@ class Radiosity:
     def iterations(self, solver: str = "gauss-seidel", many: int | None = None) -> Iterator[SolverStep]:
         """Solve the system again, and yield a SolverStep with its B (n, 3) after each iteration, without an end.
 
-        solver: "jacobi", "gauss-seidel", "shooting", ...  many: shots in a step of "shooting", by default a twentieth of
-        the patches.  Raises SceneError for an unknown solver."""
+        solver: "jacobi", "gauss-seidel", "shooting", ...  many: shots in a step of "shooting", by default a twentieth
+        of the patches.  Raises SceneError for an unknown solver."""
         if solver not in SOLVERS:
             raise SceneError(f"the solvers are {', '.join(SOLVERS)}, not {solver!r}")
         system = System.of(self.factors)
