@@ -36,7 +36,12 @@ def lambert(N, L):
 
 
 UP = np.array([0.0, 0.0, 1.0])
-SIMPLE = [(UP, UP), (UP, np.array([0.6, 0.0, 0.8])), (UP, np.array([0.0, 1.0, 0.0])), (UP, -UP)]
+SIMPLE = [
+    (UP, UP),
+    (UP, np.array([0.6, 0.0, 0.8])),
+    (UP, np.array([0.0, 1.0, 0.0])),
+    (UP, -UP),
+]
 RANDOM = list(zip(unit_vectors(20, 1), unit_vectors(20, 2), strict=True))
 COLORS = [(*np.random.default_rng(3).uniform(0, 1, (2, 3)), N, L) for N, L in RANDOM]
 

@@ -147,6 +147,7 @@ def test_shapes_are_kept_up_to_a_number_of_bytes() -> None:
     assert calls == [50_000]
 
 
+@pytest.mark.slow
 def test_a_slider_over_slices_keeps_little(screen: glsim.Offscreen) -> None:
     def slide() -> None:
         for n in range(300, 330):
@@ -161,6 +162,7 @@ def test_a_slider_over_slices_keeps_little(screen: glsim.Offscreen) -> None:
     assert kept_now < 150  # two kinds of results, 64 MiB each; all of them take 230
 
 
+@pytest.mark.slow
 def test_a_program_that_never_flushes_stays_small(screen: glsim.Offscreen, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(machine_module, "MANY", 100)
     monkeypatch.setattr(machine_module, "LARGE", 100_000)

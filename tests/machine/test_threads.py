@@ -342,7 +342,7 @@ def test_exceptions_from_signals_break_nothing() -> None:
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="this platform has no SIGALRM")
-@pytest.mark.parametrize("portion", portions(5))
+@pytest.mark.parametrize("portion", portions(10))
 def test_an_interrupted_list_leaves_the_calls_where_they_went(portion: int, screen: glsim.Offscreen) -> None:
     """A signal before each bytecode of three calls."""
 
@@ -364,7 +364,7 @@ def test_an_interrupted_list_leaves_the_calls_where_they_went(portion: int, scre
             moments = interrupted(work)
             screen.reset()
         assert moments > 500
-        tried = range(portion + 1, moments, 5)
+        tried = range(portion + 1, moments, 10)
         hits = 0
         for moment in tried:
             try:

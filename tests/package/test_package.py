@@ -88,6 +88,7 @@ def test_short_programs_of_the_readme(number: int, tmp_path: Path) -> None:
     run(sys.executable, "-c", blocks("py")[number], cwd=tmp_path, PYTHONPATH=str(ROOT))
 
 
+@pytest.mark.slow
 def test_pictures_of_the_readme_are_bright_whole_and_without_mistakes(tmp_path: Path) -> None:
     (tmp_path / "teapot.py").write_text(blocks("py")[0])
     fan, teapot = blocks("python")[0], frame_of(tmp_path / "teapot.py", calls=True)
@@ -144,6 +145,7 @@ def test_the_readmes_number_of_programs() -> None:
     assert int(found[1]) == len(PROGRAMS)
 
 
+@pytest.mark.slow
 def test_imports_are_lazy() -> None:
     heavy = "{'numpy', 'moderngl', 'trimesh', 'scipy', 'rich', 'PIL', 'OpenGL'}"
     code = f"import sys, glsim; print({heavy} & set(sys.modules))"

@@ -70,6 +70,7 @@ def everything() -> None:
         glEnd()
 
 
+@pytest.mark.slow
 def test_every_member_lies_where_the_driver_reads_it(screen: glsim.Offscreen) -> None:
     everything()
     screen.pixels()
