@@ -20,7 +20,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import IO
 
-from glsim.course.isolation import environment
+from glsim.course.isolation.clean import environment
 from glsim.course.isolation.runner import LARGEST
 from glsim.play.supervise import supervised
 
