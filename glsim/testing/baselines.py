@@ -46,16 +46,16 @@ def base_name(test: str, name: str = "") -> str:
     small letters; other signs; length), a hash of the original is added, so that no two snapshots share a file.
     """
     head, bracket, parameters = test.partition("[")
-    base = re.sub(r"[^a-z0-9_+]", "-", head.lower().replace("::", "+"))
+    base = re.sub(r"[^\w+]", "-", head.replace("::", "+"), flags=re.ASCII)
     if bracket:
-        base += "[" + re.sub(r"[^a-z0-9_.-]", "-", parameters.removesuffix("]").lower()) + "]"
+        base += "[" + re.sub(r"[^\w.-]", "-", parameters.removesuffix("]"), flags=re.ASCII) + "]"
     if name:
-        base += "-" + re.sub(r"[^a-z0-9_-]", "-", name.lower())
+        base += "-" + re.sub(r"[^\w-]", "-", name, flags=re.ASCII)
     original = test.replace("::", "+") + ("-" + name if name else "")
-    if base == original and len(base) <= LONGEST and not re.fullmatch(r"(?i)con|prn|aux|nul|(com|lpt)\d", base):
+    if base == original.lower() and len(base) <= LONGEST and not re.fullmatch(r"(?i)con|prn|aux|nul|(com|lpt)\d", base):
         return base
     digest = sha256(f"{test}\0{name}".encode()).hexdigest()[:8]
-    return re.sub(r"[\[\].]", "-", base[:LONGEST]) + "-" + digest
+    return (base if len(base) <= LONGEST else re.sub(r"[\[\].]", "-", base[:LONGEST])) + f"-{digest}"
 
 
 def belongs(file_name: str, base: str) -> bool:

@@ -2,8 +2,8 @@
 
 A picture that equals any approved baseline passes.  Pictures of the renderer that made a baseline must be equal.
 Another renderer rounds otherwise: then at most 2/255 may differ, more at 0.05 % of the pixels, and no block of 3 x 3
-pixels may be brighter as a whole, or darker, by 2/255 or more.  Rounding scatters its differences; a wrong light, normal
-or vertex moves whole regions one way, however little.  FLIP and SSIM are told and never decide.
+pixels may be brighter as a whole, or darker, by 2/255 or more.  Rounding scatters its differences; a wrong light, a
+wrong normal or vertex moves whole regions one way, however little.  FLIP and SSIM are told and never decide.
 """
 
 from __future__ import annotations
@@ -29,6 +29,8 @@ HIGHEST = {
     "flip": 1.0,
     "blocks": inf,
 }
+SAME = "The renderer is the one that made the baseline: then pictures must be equal."
+UNKNOWN = "No renderer is known of this picture and of the baseline: then they must be equal."
 
 Ranges = Mapping[str, tuple[float, float]]
 
@@ -82,8 +84,8 @@ def judge(
     if np.array_equal(expected, actual):
         return Verdict(True, True, closest, expected, "")
     if any(same_renderer(baseline.facts, made) for baseline, _ in approved):
-        reason = "The renderer is the one that made the baseline: pictures must be equal."
-        return Verdict(False, False, closest, expected, f"{told(expected, actual)} {reason}")
+        reason = "" if expected.shape != actual.shape else SAME if made.get("renderer") else UNKNOWN
+        return Verdict(False, False, closest, expected, f"{told(expected, actual)} {reason}".strip())
     for baseline, pixels in ordered:
         if pixels.shape == actual.shape and not (reason := _broken(pixels, actual)):
             reason = f"{told(pixels, actual)} This is within the rule for another renderer."

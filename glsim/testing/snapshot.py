@@ -100,7 +100,7 @@ class Snapshot:
             self._missing(entry, pixels, made)
         self.entries.append(entry)
         if entry.status in (FAILED, MISSING):
-            self._failures.append(f"{line}: snapshot {entry.base}: {entry.message}")
+            self._failures.append(self._told(entry, line))
 
     # ------------------------------------------------------------ the picture
 
@@ -159,12 +159,13 @@ class Snapshot:
             self._write(entry, pixels, made)
         else:
             entry.status = FAILED
-            entry.message = f"{verdict.reason} {self._keep(entry, pixels, made, verdict.expected)}"
+            entry.message = verdict.reason
+            self._keep(entry, pixels, made, verdict.expected)
 
     def _missing(self, entry: Entry, pixels: Pixels, made: dict[str, str]) -> None:
-        kept = self._keep(entry, pixels, made, None)
+        self._keep(entry, pixels, made, None)
         entry.status = MISSING
-        entry.message = f"There is no approved baseline. {kept} {empty(pixels)}".strip()
+        entry.message = f"There is no approved baseline. {empty(pixels)}".strip()
 
     def _write(self, entry: Entry, pixels: Pixels, made: dict[str, str]) -> None:
         path = baselines.target(self._folder, entry.base, made, entry.closest)
@@ -172,19 +173,14 @@ class Snapshot:
         entry.status, entry.message = UPDATED, self._relative(path)
         entry.baselines = [baseline.path.name for baseline in baselines.find(self._folder, entry.base)]
 
-    def _keep(self, entry: Entry, pixels: Pixels, made: dict[str, str], expected: Pixels | None) -> str:
-        """Write the picture, and how it differs, into the report's folder; says where."""
+    def _keep(self, entry: Entry, pixels: Pixels, made: dict[str, str], expected: Pixels | None) -> None:
+        """Write the picture, and how it differs, into the report's folder."""
         place = f"{entry.folder.replace('../', '')}/{entry.base}"
         entry.candidate = f"candidates/{place}.png"
         baselines.write(self._settings.folder / entry.candidate, pixels, self._facts(pixels, made))
-        if expected is None:
-            return f"The picture: {self._settings.folder / entry.candidate}"
-        entry.difference = f"differences/{place}.png"
-        write_difference(self._settings.folder / entry.difference, expected, pixels)
-        return (
-            f"The closest baseline: {self._relative(self._folder / entry.closest)}; expected, actual and difference:"
-            f" {self._settings.folder / entry.difference}"
-        )
+        if expected is not None:
+            entry.difference = f"differences/{place}.png"
+            write_difference(self._settings.folder / entry.difference, expected, pixels)
 
     @staticmethod
     def _facts(pixels: Pixels, made: dict[str, str]) -> dict[str, str]:
@@ -194,6 +190,20 @@ class Snapshot:
         if screens is not None and made.get("version") and made == screens.probe()[0]:
             facts["probe"] = screens.digest()
         return facts
+
+    def _told(self, entry: Entry, line: str) -> str:
+        """What failed, and where to look."""
+        lines = [f"{line}: snapshot {entry.base}", entry.message]
+        lines += [f"closest baseline:  {entry.folder}/{entry.closest}"] if entry.closest else []
+        lines += (
+            [f"picture:           {self._relative(self._settings.folder / entry.candidate)}"] if entry.candidate else []
+        )
+        lines += (
+            [f"difference:        {self._relative(self._settings.folder / entry.difference)}"]
+            if entry.difference
+            else []
+        )
+        return "\n    ".join(lines)
 
     def _relative(self, path: Path) -> str:
         try:
