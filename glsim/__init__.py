@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 from glsim.version import __version__ as __version__
 
 if TYPE_CHECKING:
+    from glsim.course.source import source as source
     from glsim.machine.frame import Frame as Frame
     from glsim.play.capture import capture as capture
     from glsim.play.capture import program_source as program_source
@@ -25,14 +26,17 @@ if TYPE_CHECKING:
     from glsim.render.context import Offscreen as Offscreen
     from glsim.render.context import offscreen as offscreen
     from glsim.render.device import NoDeviceError as NoDeviceError
+    from glsim.study import plots as plots
     from glsim.study.compare import Comparison as Comparison
     from glsim.study.compare import compare as compare
     from glsim.study.explain import explain as explain
+    from glsim.study.outside import outside as outside
     from glsim.study.probe import Probe as Probe
     from glsim.study.prober import probe as probe
     from glsim.study.terms import Terms as Terms
     from glsim.study.terms import terms as terms
     from glsim.study.trace import trace as trace
+    from glsim.study.vectors import vectors as vectors
 
 _HOME = {
     "offscreen": "glsim.render.context",
@@ -45,18 +49,23 @@ _HOME = {
     "compare": "glsim.study.compare",
     "explain": "glsim.study.explain",
     "frame_of": "glsim.play.frames",
+    "source": "glsim.course.source",
+    "outside": "glsim.study.outside",
+    "plots": "glsim.study.plots",  # a folder of functions
     "Probe": "glsim.study.probe",
     "probe": "glsim.study.prober",
     "Terms": "glsim.study.terms",
     "terms": "glsim.study.terms",
     "trace": "glsim.study.trace",
+    "vectors": "glsim.study.vectors",
 }
 __all__ = ["__version__", *_HOME]
 
 
 def __getattr__(name: str) -> Any:
     if name in _HOME:
-        return getattr(import_module(_HOME[name]), name)
+        home = import_module(_HOME[name])
+        return home if name == "plots" else getattr(home, name)
     from glsim.names import missing
 
     raise missing(__name__, name, __all__)

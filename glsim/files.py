@@ -42,6 +42,10 @@ def write_atomically(path: str | os.PathLike[str], save: Callable[[str], object]
         raise
 
 
+def write_bytes(path: str | os.PathLike[str], data: bytes) -> None:
+    write_atomically(path, lambda name: Path(name).write_bytes(data))
+
+
 def write_text(path: str | os.PathLike[str], text: str) -> None:
     write_atomically(path, lambda name: Path(name).write_text(text, encoding="utf-8"))
 

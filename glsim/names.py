@@ -16,9 +16,9 @@ def did_you_mean(name: str, names: Iterable[str]) -> str:
     from difflib import get_close_matches
 
     known = {known.lower(): known for known in names}
-    found = [name + suffix for suffix in ("f", "fv", "i") if name.lower() + suffix in known and name.startswith("gl")]
-    found = found or get_close_matches(name.lower(), known, 1, 0.7)
-    return f"; did you mean {known[found[0].lower()]!r}?" if found else ""
+    close = [name + suffix for suffix in ("f", "fv", "i") if name.lower() + suffix in known and name.startswith("gl")]
+    close = close or get_close_matches(name.lower(), known, 1, 0.7)
+    return f"; did you mean {known[close[0].lower()]!r}?" if close else ""
 
 
 def missing(module: str, name: str, names: Iterable[str]) -> AttributeError:

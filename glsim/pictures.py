@@ -11,7 +11,7 @@ from PIL import Image, ImageDraw, ImageFont
 PAPER, INK, FAINT = (250, 250, 248), (30, 32, 38), (110, 114, 124)
 TILE = 288  # pixels, the larger side
 SCALE = np.array([(68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 201, 98), (253, 231, 37)], float)
-BEHIND, NOTHING = (60, 60, 70), (235, 235, 232)
+DARK_GREY, OFF_WHITE = (60, 60, 70), (235, 235, 232)
 
 
 def heat(values: NDArray[np.float64], covered: NDArray[np.bool_]) -> NDArray[np.uint8]:
@@ -20,8 +20,8 @@ def heat(values: NDArray[np.float64], covered: NDArray[np.bool_]) -> NDArray[np.
     covered: (height, width); pixels outside become nearly white."""
     places = np.linspace(0.0, 1.0, len(SCALE))
     colors = np.stack([np.interp(values, places, SCALE[:, channel]) for channel in range(3)], axis=-1)
-    colors[values < 0.0] = BEHIND
-    colors[~covered] = NOTHING
+    colors[values < 0.0] = DARK_GREY
+    colors[~covered] = OFF_WHITE
     return np.asarray(colors, np.uint8)
 
 

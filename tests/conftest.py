@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import HealthCheck, settings
 
 import glsim
 from glsim.render.native import Native, NoNativeError
+
+if TYPE_CHECKING:
+    from tests.browser import Browser
 
 SIZE = 128
 
@@ -46,3 +50,18 @@ def native() -> Iterator[Native]:
         pytest.skip(f"no fixed function to compare with: {error}")
     yield oracle
     oracle.release()
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """One headless Chromium for all tests of pages."""
+    try:
+        from tests.browser import Browser
+
+        chromium = Browser()
+    except (ImportError, RuntimeError) as error:
+        if os.environ.get("CI"):
+            raise  # there the pages must be seen
+        pytest.skip(f"no browser to show pages in: {error}")
+    yield chromium
+    chromium.quit()

@@ -24,7 +24,7 @@ ARROWS = {
     "lab": {"course", "study", "play", "web"},
     "course": {"testing", "study", "web", "radiosity", "play", "scenes", "render", "gl", "machine", "shading"},
     "testing": {"web", "play", "render", "machine"},
-    "study": {"web", "radiosity", "play", "scenes", "render", "gl", "machine", "shading"},
+    "study": {"web", "radiosity", "play", "scenes", "glu", "render", "gl", "machine", "shading"},
     "radiosity": {"play", "scenes", "render", "glu", "gl", "machine"},
     "web": {"render", "machine"},
     "play": {"scenes", "glut", "glu", "render", "gl", "machine"},

@@ -52,12 +52,12 @@ def _do(options: argparse.Namespace) -> int:
 def _ending_on_signals() -> Iterator[list[int]]:
     """SIGTERM and SIGHUP end a command as Ctrl-C does, so that nothing is lost or half-done and no process stays.
 
-    Yields the list of those that came.
+    Yields the list of the signals that came.
     """
-    came: list[int] = []
+    signals: list[int] = []
 
     def interrupt(number: int, frame: object) -> None:
-        came.append(number)
+        signals.append(number)
         raise KeyboardInterrupt
 
     numbers = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
@@ -65,7 +65,7 @@ def _ending_on_signals() -> Iterator[list[int]]:
         numbers = []
     before = {n: signal.signal(n, interrupt) for n in numbers if signal.getsignal(n) is signal.SIG_DFL}
     try:
-        yield came
+        yield signals
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
@@ -83,12 +83,12 @@ def _with_negative_numbers(words: Sequence[str]) -> list[str]:
 
 
 def _parser() -> argparse.ArgumentParser:
-    from glsim.cli import compare, doctor, radiosity, run, snapshots, study
+    from glsim.cli import compare, doctor, exercise, lesson, radiosity, run, snapshots, study
     from glsim.version import __version__
 
     parser = Parser(prog="glsim", description="OpenGL's fixed-function pipeline, to teach and to learn.")
     parser.add_argument("--version", action="version", version=f"glsim {__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
-    for command in (compare, run, study, radiosity, snapshots, doctor):
+    for command in (compare, run, study, radiosity, lesson, exercise, snapshots, doctor):
         command.add(commands)
     return parser

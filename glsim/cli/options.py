@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import argparse
 import re
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from glsim.names import LOBES, SHADING, did_you_mean
 
 if TYPE_CHECKING:
     from glsim.scenes import Camera, Lamp
+
+Value = TypeVar("Value")
 
 
 class Parser(argparse.ArgumentParser):
@@ -65,16 +68,6 @@ def positive(text: str) -> float:
     return value
 
 
-def numbers(text: str, least: int, most: int) -> list[float]:
-    try:
-        values = [float(word) for word in text.split(",")]
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"numbers separated by commas are needed, not {text!r}") from None
-    if not least <= len(values) <= most or not all(-1e6 < value < 1e6 for value in values):
-        raise argparse.ArgumentTypeError(f"{least} to {most} numbers are needed, not {text!r}")
-    return values
-
-
 def size(text: str) -> int:
     if not text.isdigit() or not 16 <= int(text) <= 4096:
         raise argparse.ArgumentTypeError(f"a number of pixels from 16 to 4096 is needed, not {text!r}")
@@ -82,20 +75,23 @@ def size(text: str) -> int:
 
 
 def light(text: str) -> Lamp:
-    from glsim.scenes import Lamp
+    from glsim.scenes.staging import lamp_of
 
-    x, y, z, *rest = numbers(text, 3, 5)
-    w, brightness = [*rest, 0.0, 1.0][:2] if len(rest) != 1 else (rest[0], 1.0)
-    return Lamp((x, y, z, w), brightness)
+    return _told(lamp_of, text)
 
 
 def camera(text: str) -> Camera:
-    from glsim.scenes import Camera
+    from glsim.scenes.staging import camera_of
 
-    values = numbers(text, 2, 3)
-    if len(values) == 3 and values[2] <= 1.0:
-        raise argparse.ArgumentTypeError(f"the distance must be more than 1 radius of the scene, not {values[2]:g}")
-    return Camera(*values)
+    return _told(camera_of, text)
+
+
+def _told(read: Callable[[str], Value], text: str) -> Value:
+    """``read(text)``, with its ValueError as argparse shows it."""
+    try:
+        return read(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def check_picture_name(name: str) -> None:

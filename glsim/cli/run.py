@@ -6,9 +6,14 @@ import argparse
 import json
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from glsim.cli.options import count, lobe, positive, rectangle, shading
+
+if TYPE_CHECKING:
+    from glsim.machine.frame import Frame
+
+MOST_CALLS = 4_000  # of the first picture, that are recorded to look for mistakes
 
 
 def add(commands: Any) -> None:
@@ -50,7 +55,10 @@ def _run(options: argparse.Namespace) -> int:
         not options.no_python2,
     )  # fmt: skip
     timeout = options.timeout or (None if options.window else 60.0)
-    record = run(plan, timeout)
+    plan.most_calls = MOST_CALLS
+    plan.clicked = "glsim.cli.study:show_probe" if options.window else None
+    found: list[dict[str, Any]] = []
+    record = run(plan, timeout, look=lambda frame: found.extend(_mistakes(frame)))
     first = [Path(out or ".") / name for name in record["pictures"] if "_w" not in name]
     code = {"ok": 0, "interrupted": 130}.get(record["status"], 1)
     for kind, target in animations.items():
@@ -60,10 +68,28 @@ def _run(options: argparse.Namespace) -> int:
             record["notes"].append(f"--{kind}: {error}")
             code = code or 1
     if options.json:
-        print(json.dumps(record))
+        print(json.dumps({**record, "mistakes": found}))
     else:
         for note in record["notes"]:
             print(f"glsim run: {note}", file=sys.stderr)
         where = f", pictures in {out}" if record["pictures"] else ""
         print(f"{options.script}: {record['status']}, {record['frames']} frames{where}")
+        if found:
+            print(_in_a_line(options.script, found))
     return code
+
+
+def _mistakes(frame: Frame) -> list[dict[str, Any]]:
+    """The classic mistakes in a Frame."""
+    from glsim.study.trace import mistakes_of
+
+    return [
+        {"kind": one.kind, "what": one.looks_at, "line": one.where.line if one.where else None,
+         "sentence": one.sentence} for one in mistakes_of(frame)
+    ]  # fmt: skip
+
+
+def _in_a_line(script: str, found: list[dict[str, Any]]) -> str:
+    first, others = found[0], len(found) - 1
+    line = f" (line {first['line']})" if first["line"] else ""
+    return f"glsim trace --mistakes {script} explains: {first['what']}{line}" + (f"; {others} more" if others else "")

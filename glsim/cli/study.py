@@ -81,6 +81,16 @@ def _probe(options: argparse.Namespace) -> int:
     return _tell(frame, options, result.as_dict())
 
 
+def show_probe(frame: Frame, x: int, y: int) -> None:
+    """Print the probe of a pixel that was clicked in a window of ``glsim run --window``."""
+    from glsim.study.prober import probe
+
+    try:
+        console().print(probe(frame, x, y))
+    except ValueError as error:
+        print(f"glsim run: {error}")
+
+
 def _add_terms(commands: Any) -> None:
     p = _add_study(commands, "terms", "take the picture apart: the terms of each light, and their factors")
     p.add_argument("-o", "--output", metavar="FILE", default="terms.png", help="the sheet (default: terms.png)")

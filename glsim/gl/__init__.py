@@ -17,7 +17,6 @@ Extensions (glGetString(GL_EXTENSIONS) names them):
 
 from __future__ import annotations
 
-import ctypes
 import inspect
 from typing import Any
 
@@ -25,6 +24,7 @@ from glsim.gl import (
     arrays,
     attrib,
     buffers,
+    drawarrays,
     enable,
     evaluators,
     fragment,
@@ -37,8 +37,11 @@ from glsim.gl import (
     raster,
     rasterpos,
     select,
+    texcompressed,
+    texcopy,
     texenv,
     teximage,
+    texread,
     texture,
     vertex,
 )
@@ -50,19 +53,16 @@ from glsim.machine.commands import COMMANDS
 from glsim.machine.errors import GLError as GLError
 from glsim.machine.errors import NoContextError as NoContextError
 from glsim.machine.record import implementations
+from glsim.machine.types import C_TYPES
 from glsim.names import missing
 
-GLbyte, GLubyte, GLshort, GLushort = ctypes.c_byte, ctypes.c_ubyte, ctypes.c_short, ctypes.c_ushort
-GLint, GLuint, GLfloat, GLdouble = ctypes.c_int, ctypes.c_uint, ctypes.c_float, ctypes.c_double
-GLenum, GLbitfield, GLsizei, GLboolean = ctypes.c_uint, ctypes.c_uint, ctypes.c_int, ctypes.c_ubyte
-GLclampf, GLclampd, GLvoid = ctypes.c_float, ctypes.c_double, None
-GLfloat_3, GLfloat_4, GLfloat_16 = GLfloat * 3, GLfloat * 4, GLfloat * 16
-GLdouble_3, GLdouble_4, GLdouble_16 = GLdouble * 3, GLdouble * 4, GLdouble * 16
+globals().update(C_TYPES)
+globals().update({f"{name}_{n}": C_TYPES[name] * n for name in ("GLfloat", "GLdouble") for n in (3, 4, 16)})
 
 
 _TOPICS = (
-    vertex, arrays, buffers, evaluators, matrix, light, raster, rasterpos, fragment, pixels, select, texture, teximage,
-    texenv, enable, attrib, lists, query,
+    vertex, arrays, drawarrays, buffers, evaluators, matrix, light, raster, rasterpos, fragment, pixels, select,
+    texture, teximage, texcopy, texcompressed, texread, texenv, enable, attrib, lists, query,
 )  # fmt: skip
 _BODIES = {
     name: body
@@ -91,7 +91,8 @@ def _functions() -> dict[str, Any]:
     for kind in ("Boolean", "Integer", "Float", "Double"):
         functions[f"glGet{kind}"] = functions[f"glGet{kind}v"]
     for function in functions.values():
-        function.__doc__ = doc(function.__name__, tuple(inspect.signature(function).parameters))
+        parameters = function.__signature__.parameters if function.__name__ in COMMANDS else ()
+        function.__doc__ = doc(function.__name__, tuple(parameters))
     return functions
 
 

@@ -18,16 +18,16 @@ from glsim.machine.sentences import MISUSE, explain
 from glsim.machine.types import plain, raw_bytes
 
 
-def again(error: Exception, name: str, arguments: tuple[Any, ...]) -> Any:
+def retry(error: Exception, name: str, arguments: tuple[Any, ...]) -> Any:
     """A command failed: run it once more with Python's numbers instead of ctypes', or raise a sentence.
 
     So c_float, byref and pointers may stand wherever numbers and arrays do, and nobody who passes Python's numbers
     pays for it:
 
         glVertex2f(c_float(1.0), 2.0)                    # the body: struct.error, "required argument is not a float"
-        again(error, "glVertex2f", (c_float(1.0), 2.0))  # python_arguments -> (1.0, 2.0): another object, so
+        retry(error, "glVertex2f", (c_float(1.0), 2.0))  # python_arguments -> (1.0, 2.0): another object, so
         glVertex2f(1.0, 2.0)                             # ... the second run, which stores the vertex
-        again(error, "glVertex2f", ("a", 2.0))           # nothing is another object, a second run would fail alike:
+        retry(error, "glVertex2f", ("a", 2.0))           # nothing is another object, a second run would fail alike:
                                                          # TypeError "glVertex2f: x must be a number, not 'a'"
     """
     machine, given = current_machine(), python_arguments(COMMANDS[name], arguments)
@@ -87,7 +87,7 @@ def matrix16(values: Any) -> NDArray[np.float32]:
     return array.reshape(4, 4).copy()
 
 
-def whole(value: float) -> int:
+def as_int32(value: float) -> int:
     """As an integer of 32 bits, which is as large as a C program can pass."""
     return min(max(int(value), -(2**31)), 2**31 - 1)
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.gl.naming import free_name, given_names, names_from, new_names
+from glsim.gl.naming import free_name, names_from, new_names, returned_names
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Query, QueryMark, Vertices
@@ -55,7 +55,7 @@ def glGenBuffers(m: Machine, n: int, buffers: Any = None) -> Any:
     """As PyOpenGL: one name for n = 1, an array of names for more; or into ``buffers``."""
     names = new_names(m, "buffers", n, m.objects.buffers.__contains__)
     m.objects.buffers.update(dict.fromkeys(names))
-    return given_names(names, buffers)
+    return returned_names(names, buffers)
 
 
 def glBindBuffer(m: Machine, target: int, buffer: int) -> None:
@@ -106,13 +106,13 @@ def glBufferData(m: Machine, target: int, size: Any, data: Any = None, usage: An
     buffer = _bound(m, target)
     if size is not None and size < 0:
         raise invalid_value("size", size, "at least 0")
-    given = None if data is None else _bytes(data, size)
-    length = int(size) if size is not None else len(given) if given is not None else 0
+    content = None if data is None else _bytes(data, size)
+    length = int(size) if size is not None else len(content) if content is not None else 0
     if length > LARGEST_BUFFER:
         raise out_of_memory(f"{length} bytes are more than a buffer can hold")
-    if given is not None and len(given) < length:
-        raise ValueError(f"size is {length} bytes, but data has {len(given)}")
-    buffer.data = np.zeros(length, np.uint8) if given is None else given[:length].copy()
+    if content is not None and len(content) < length:
+        raise ValueError(f"size is {length} bytes, but data has {len(content)}")
+    buffer.data = np.zeros(length, np.uint8) if content is None else content[:length].copy()
     buffer.usage, buffer.mapped = int(usage), False
     buffer.version += 1
 
@@ -128,24 +128,24 @@ def _part(buffer: Buffer, offset: int, size: int) -> slice:
 def glBufferSubData(m: Machine, target: int, offset: int, size: Any, data: Any = None) -> None:
     """glBufferSubData(target, offset, size, data), or in PyOpenGL's form (target, offset, data)."""
     buffer = _bound(m, target)
-    given = _bytes(size) if data is None else _bytes(data, int(size))
-    length = len(given) if data is None else int(size)
-    if len(given) < length:
-        raise ValueError(f"size is {length} bytes, but data has {len(given)}")
-    buffer.data[_part(buffer, int(offset), length)] = given[:length]
+    content = _bytes(size) if data is None else _bytes(data, int(size))
+    length = len(content) if data is None else int(size)
+    if len(content) < length:
+        raise ValueError(f"size is {length} bytes, but data has {len(content)}")
+    buffer.data[_part(buffer, int(offset), length)] = content[:length]
     buffer.version += 1
 
 
 def glGetBufferSubData(m: Machine, target: int, offset: int, size: int, data: Any = None) -> Any:
     """Bytes of the buffer as an array of uint8, or into ``data``."""
     buffer = _bound(m, target)
-    found = buffer.data[_part(buffer, int(offset), int(size))]
+    content = buffer.data[_part(buffer, int(offset), int(size))]
     if data is None:
-        return found.copy()
-    view = np.asarray(plain(data, len(found)))
+        return content.copy()
+    view = np.asarray(plain(data, len(content)))
     if not view.flags.c_contiguous or not view.flags.writeable or isinstance(data, (list, tuple, bytes)):
         raise TypeError("data must be a writable NumPy or ctypes array, or a bytearray")
-    fill(view.reshape(-1).view(np.uint8), found)
+    fill(view.reshape(-1).view(np.uint8), content)
     return data
 
 
@@ -196,7 +196,7 @@ def glGenQueries(m: Machine, n: int, ids: Any = None) -> Any:
     """As PyOpenGL: one name for n = 1, an array of names for more; or into ``ids``."""
     names = new_names(m, "queries", n, m.objects.queries.__contains__)
     m.objects.queries.update(dict.fromkeys(names))
-    return given_names(names, ids)
+    return returned_names(names, ids)
 
 
 def glDeleteQueries(m: Machine, n: Any, ids: Any = None) -> None:

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from glsim.gl import immediate
-from glsim.gl.arguments import again, numbers, signed_colour
+from glsim.gl.arguments import numbers, retry, signed_colour
 from glsim.gl.query import COLOURS, answer, into
 from glsim.machine.commands import FAMILIES, Command
 from glsim.machine.constants import GL_AMBIENT_AND_DIFFUSE
@@ -28,7 +28,7 @@ ERRORS = (GLError, MemoryError, *MISUSE)
 
 # `current` is a global of immediate.py: the machine.  The local name is not m, which is an argument of glLoadMatrixf.
 _TEMPLATE = """
-def bind(name, body, errors, again):
+def bind(name, body, errors, retry):
     def command({arguments}{rest}):
         machine = current
         if machine.{flag}:
@@ -36,7 +36,7 @@ def bind(name, body, errors, again):
         try:
             return body(machine{call})
         except errors as error:
-            return again(error, name, ({tuple}))
+            return retry(error, name, ({tuple}))
     return command
 """
 _binders: dict[tuple[int, bool, bool], Function] = {}
@@ -86,7 +86,7 @@ def public(command: Command, body: Function, parameters: tuple[str, ...], defaul
         made.__code__ = code.replace(co_varnames=("x", "y", "z", "surplus", ...), co_name="glTranslatef")
         glTranslatef(x=1.0, y=0.0, z=0.0)                  # so keywords, tracebacks and help() have the true names
     """
-    made = _binder(len(parameters), command.inside, command.name in EXACT)(command.name, body, ERRORS, again)
+    made = _binder(len(parameters), command.inside, command.name in EXACT)(command.name, body, ERRORS, retry)
     code = made.__code__
     made.__code__ = code.replace(
         co_name=command.name, co_varnames=(*parameters, *code.co_varnames[len(parameters) :]), co_qualname=command.name
@@ -102,7 +102,7 @@ def variant(command: Command, body: Function) -> Function:
     """The public function of one row of the table, from the body of its family."""
     family = FAMILIES[command.family]
     if (len(family) == 1 and not command.vector) or body.__name__ == command.name:
-        parameters = tuple(inspect.signature(body).parameters)[1:]
+        parameters = body.__code__.co_varnames[1 : body.__code__.co_argcount]
         return public(command, body, parameters, body.__defaults__)
     if command.result:  # PyOpenGL's last argument of a query: an array to fill
         return public(command, _adapt(command, body), (*command.parameters, "params"), (None,))
@@ -248,26 +248,26 @@ def typed_arrays(functions: dict[str, Function]) -> dict[str, Function]:
     def draw_elements(gl_type: int) -> Function:
         return lambda mode, indices: functions["glDrawElements"](mode, np.size(indices), gl_type, indices)
 
-    made: dict[str, Function] = {}
+    typed: dict[str, Function] = {}
     for suffix, gl_type in SUFFIXES.items():
         for array in ("Vertex", "Color", "TexCoord", "SecondaryColor"):
-            made[f"gl{array}Pointer{suffix}"] = pointer(f"gl{array}Pointer", gl_type, True)
+            typed[f"gl{array}Pointer{suffix}"] = pointer(f"gl{array}Pointer", gl_type, True)
         for array in ("Normal", "Index"):
-            made[f"gl{array}Pointer{suffix}"] = pointer(f"gl{array}Pointer", gl_type, False)
+            typed[f"gl{array}Pointer{suffix}"] = pointer(f"gl{array}Pointer", gl_type, False)
         if suffix in ("ub", "us", "ui"):
-            made[f"glDrawElements{suffix}"] = draw_elements(gl_type)
+            typed[f"glDrawElements{suffix}"] = draw_elements(gl_type)
     for suffix, gl_type in SUFFIXES.items():
-        made[f"glReadPixels{suffix}"] = _typed_last(functions["glReadPixels"], gl_type, 5)
-        made[f"glGetTexImage{suffix}"] = _typed_last(functions["glGetTexImage"], gl_type, 3)
+        typed[f"glReadPixels{suffix}"] = _typed_last(functions["glReadPixels"], gl_type, 5)
+        typed[f"glGetTexImage{suffix}"] = _typed_last(functions["glGetTexImage"], gl_type, 3)
     for suffix, gl_type in SUFFIXES.items():
         for name, leading in (("glTexImage1D", 3), ("glTexImage2D", 3), ("glTexImage3D", 3), ("glTexSubImage1D", 3),
                               ("glTexSubImage2D", 4), ("glTexSubImage3D", 5), ("glDrawPixels", 0)):  # fmt: skip
-            made[f"{name}{suffix}"] = _typed_image(functions[name], gl_type, leading)
-    made["glEdgeFlagPointerb"] = lambda array: functions["glEdgeFlagPointer"](0, array)
-    made["glGetPolygonStippleub"] = lambda: np.frombuffer(functions["glGetPolygonStipple"](), np.uint8)
-    for name, function in made.items():
+            typed[f"{name}{suffix}"] = _typed_image(functions[name], gl_type, leading)
+    typed["glEdgeFlagPointerb"] = lambda array: functions["glEdgeFlagPointer"](0, array)
+    typed["glGetPolygonStippleub"] = lambda: np.frombuffer(functions["glGetPolygonStipple"](), np.uint8)
+    for name, function in typed.items():
         function.__name__ = function.__qualname__ = name
-    return {name: explained(name, _of_arrays(function)) for name, function in made.items()}
+    return {name: explained(name, _of_arrays(function)) for name, function in typed.items()}
 
 
 def _of_arrays(function: Function) -> Function:

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from glsim.gl.arguments import numbers
 from glsim.machine import constants as gl
+from glsim.machine.cache import cached
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
 from glsim.machine.frame import ROW, ROW_BYTES
-from glsim.machine.kept import kept
 from glsim.machine.machine import Machine
 from glsim.machine.types import plain
 
@@ -33,7 +33,7 @@ class Map(NamedTuple):
     domain: tuple[float, ...]
 
 
-def _what(target: int, dimensions: int) -> int:
+def _map_number(target: int, dimensions: int) -> int:
     what = int(target) - (gl.GL_MAP1_COLOR_4 if dimensions == 1 else gl.GL_MAP2_COLOR_4)
     if not 0 <= what < 9:
         raise invalid_enum("target", target, f"a map such as GL_MAP{dimensions}_VERTEX_3")
@@ -72,7 +72,7 @@ def glMap1f(m: Machine, target: int, u1: float, u2: float, stride: Any, order: A
 
     points: (order, k) numbers.
     """
-    what = _what(target, 1)
+    what = _map_number(target, 1)
     k = COMPONENTS[what]
     if points is None:
         points = _shaped(stride)
@@ -97,7 +97,7 @@ def glMap2f(
 
     points: (uorder, vorder, k) numbers.
     """
-    what = _what(target, 2)
+    what = _map_number(target, 2)
     k = COMPONENTS[what]
     if points is None:
         points = _shaped(v1)
@@ -154,7 +154,7 @@ def bernstein_derivative(order: int, t: Float) -> Float:
     return result
 
 
-def _at(map: Map, places: tuple[Float, ...], grid: bool, derive: int | None = None) -> Float:
+def _evaluated(map: Map, places: tuple[Float, ...], grid: bool, derive: int | None = None) -> Float:
     """The map, or its derivative by u (0) or v (1), at some places: (n, k).  grid: at every u with every v."""
     bases = []
     for axis, t in enumerate(places):
@@ -183,7 +183,7 @@ def evaluate(
     vertex = maps.get(VERTEX_4, maps.get(VERTEX_3))
     if vertex is None:
         return None
-    P = _at(vertex, places, grid)
+    P = _evaluated(vertex, places, grid)
     rows = np.empty((len(P), ROW), np.float32)
     columns: dict[str, NDArray[np.float32]] = {}
     rows[:, :3] = P[:, :3]
@@ -192,12 +192,12 @@ def evaluate(
     if dimensions == 2 and m.evaluators.auto_normal:
         rows[:, 3:6] = _normals(vertex, P, places, grid)
     else:
-        rows[:, 3:6] = _at(maps[NORMAL], places, grid) if NORMAL in maps else (m.nx, m.ny, m.nz)
-    rows[:, 6:10] = _at(maps[COLOR], places, grid) if COLOR in maps else (m.red, m.green, m.blue, m.alpha)
+        rows[:, 3:6] = _evaluated(maps[NORMAL], places, grid) if NORMAL in maps else (m.nx, m.ny, m.nz)
+    rows[:, 6:10] = _evaluated(maps[COLOR], places, grid) if COLOR in maps else (m.red, m.green, m.blue, m.alpha)
     for what in (TEXTURE_4, TEXTURE_3, TEXTURE_2, TEXTURE_1):
         if what in maps:
             coordinates = np.tile(np.array([0.0, 0.0, 0.0, 1.0], np.float32), (len(rows), 1))
-            coordinates[:, : COMPONENTS[what]] = _at(maps[what], places, grid)
+            coordinates[:, : COMPONENTS[what]] = _evaluated(maps[what], places, grid)
             columns["texcoord0"] = coordinates
             break
     return rows, columns
@@ -212,7 +212,7 @@ def _default(what: int, dimensions: int) -> Map:
 
 def _normals(vertex: Map, P: Float, places: tuple[Float, ...], grid: bool) -> Float:
     """GL_AUTO_NORMAL: the unit vector along dP/du x dP/dv."""
-    du, dv = _at(vertex, places, grid, 0), _at(vertex, places, grid, 1)
+    du, dv = _evaluated(vertex, places, grid, 0), _evaluated(vertex, places, grid, 1)
     if P.shape[1] == 4:  # derivatives of x / w, but for a positive factor
         du, dv = (d[:, :3] * P[:, 3:] - P[:, :3] * d[:, 3:] for d in (du, dv))
     N = np.cross(du, dv)
@@ -222,10 +222,10 @@ def _normals(vertex: Map, P: Float, places: tuple[Float, ...], grid: bool) -> Fl
 
 def _vertex(m: Machine, *places: float) -> None:
     """One vertex between glBegin and glEnd; the current values stay."""
-    found = evaluate(m, *(np.array([float(t)]) for t in places))
-    if found is None or m.inside is None:
+    vertex = evaluate(m, *(np.array([float(t)]) for t in places))
+    if vertex is None or m.inside is None:
         return
-    rows, columns = found
+    rows, columns = vertex
     if "texcoord0" in columns:
         before = m.current["texcoord0"]
         m.set_current("texcoord0", tuple(columns["texcoord0"][0].tolist()))
@@ -273,9 +273,9 @@ def glEvalMesh1(m: Machine, mode: int, p1: int, p2: int) -> None:
     if mode not in (gl.GL_POINT, gl.GL_LINE):
         raise invalid_enum("mode", mode, "GL_POINT or GL_LINE")
     chosen = _range(m, p1, p2)
-    found = evaluate(m, _grid(*m.evaluators.grid_1, chosen)) if len(chosen) else None
-    if found is not None:
-        m.add_draw(gl.GL_POINTS if mode == gl.GL_POINT else gl.GL_LINE_STRIP, *found, None)
+    vertices = evaluate(m, _grid(*m.evaluators.grid_1, chosen)) if len(chosen) else None
+    if vertices is not None:
+        m.add_draw(gl.GL_POINTS if mode == gl.GL_POINT else gl.GL_LINE_STRIP, *vertices, None)
 
 
 def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> None:
@@ -287,10 +287,10 @@ def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> No
     if len(p) * len(q) > MOST_STEPS:
         raise invalid_value("the range of the mesh", (p1, p2, q1, q2), f"of at most {MOST_STEPS} points")
     grid = m.evaluators.grid_2
-    found = evaluate(m, _grid(*grid[:3], p), _grid(*grid[3:], q), grid=True)
-    if found is None:
+    vertices = evaluate(m, _grid(*grid[:3], p), _grid(*grid[3:], q), grid=True)
+    if vertices is None:
         return
-    rows, columns = found
+    rows, columns = vertices
     number = np.arange(len(p) * len(q)).reshape(len(p), len(q))  # of the grid point (p, q)
     if mode == gl.GL_LINE:
         lines: list[Any] = [*number.T, *number]
@@ -308,7 +308,7 @@ def glEvalMesh2(m: Machine, mode: int, p1: int, p2: int, q1: int, q2: int) -> No
         m.add_draw(gl.GL_QUADS if seen else gl.GL_TRIANGLES, rows, columns, _strips(len(p), len(q), seen))
 
 
-@kept(64 * 1024 * 1024)
+@cached(64 * 1024 * 1024)
 def _strips(nu: int, nv: int, quads: bool) -> NDArray[np.uint32]:
     """The strips of a filled mesh of nu x nv points: as quads that end in the strips' provoking vertices (the fourth
     of each), or as the triangles of triangle strips."""
@@ -324,7 +324,7 @@ def _strips(nu: int, nv: int, quads: bool) -> NDArray[np.uint32]:
 
 def glGetMap(m: Machine, target: int, query: int) -> tuple[float, ...]:
     dimensions = 1 if 0 <= target - gl.GL_MAP1_COLOR_4 < 9 else 2
-    what = _what(target, dimensions)
+    what = _map_number(target, dimensions)
     map: Map = m.objects.maps.get(target, _default(what, dimensions))
     if query == gl.GL_COEFF:
         return tuple(float(number) for number in map.points.ravel())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from glsim.gl.arguments import exactly, numbers, unit, whole
+from glsim.gl.arguments import as_int32, exactly, numbers, unit
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.frame import Accum, Clear
@@ -57,7 +57,7 @@ def glFog(m: Machine, pname: int, params: Any) -> None:
 def glScissor(m: Machine, x: int, y: int, width: int, height: int) -> None:
     if width < 0 or height < 0:
         raise invalid_value("width and height", (width, height), "at least 0")
-    m.scissor = m.scissor._replace(x=whole(x), y=whole(y), width=whole(width), height=whole(height))
+    m.scissor = m.scissor._replace(x=as_int32(x), y=as_int32(y), width=as_int32(width), height=as_int32(height))
 
 
 def glSampleCoverage(m: Machine, value: float, invert: bool) -> None:

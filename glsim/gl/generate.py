@@ -37,7 +37,7 @@ from collections.abc import Sequence
 from struct import Struct
 from typing import Any
 
-from glsim.gl.arguments import again
+from glsim.gl.arguments import retry
 from glsim.machine.current import attach
 from glsim.machine.sentences import MISUSE as BAD
 
@@ -91,7 +91,7 @@ def hot_function(command: Command) -> str:
         f'        return m.recorder("{command.name}", {recorded})  # type: ignore[no-any-return]\n'
         f"    try:\n{lines}\n"
         f"    except BAD as error:\n"
-        f'        again(error, "{command.name}", {given})\n'
+        f'        retry(error, "{command.name}", {given})\n'
     )
 
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from struct import Struct
 from typing import Any
 
-from glsim.gl.arguments import again
+from glsim.gl.arguments import retry
 from glsim.machine.current import attach
 from glsim.machine.sentences import MISUSE as BAD
 
@@ -30,7 +30,7 @@ def glVertex2s(x: int, y: int, surplus: Any = None) -> None:
     try:
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex2s", (x, y))
+        retry(error, "glVertex2s", (x, y))
 
 
 def glVertex2sv(v: Numbers, surplus: Any = None) -> None:
@@ -41,7 +41,7 @@ def glVertex2sv(v: Numbers, surplus: Any = None) -> None:
         x, y = v
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex2sv", (v,))
+        retry(error, "glVertex2sv", (v,))
 
 
 def glVertex2i(x: int, y: int, surplus: Any = None) -> None:
@@ -51,7 +51,7 @@ def glVertex2i(x: int, y: int, surplus: Any = None) -> None:
     try:
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex2i", (x, y))
+        retry(error, "glVertex2i", (x, y))
 
 
 def glVertex2iv(v: Numbers, surplus: Any = None) -> None:
@@ -62,7 +62,7 @@ def glVertex2iv(v: Numbers, surplus: Any = None) -> None:
         x, y = v
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex2iv", (v,))
+        retry(error, "glVertex2iv", (v,))
 
 
 def glVertex2f(x: float, y: float, surplus: Any = None) -> None:
@@ -72,7 +72,7 @@ def glVertex2f(x: float, y: float, surplus: Any = None) -> None:
     try:
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex2f", (x, y))
+        retry(error, "glVertex2f", (x, y))
 
 
 def glVertex2fv(v: Numbers, surplus: Any = None) -> None:
@@ -83,7 +83,7 @@ def glVertex2fv(v: Numbers, surplus: Any = None) -> None:
         x, y = v
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex2fv", (v,))
+        retry(error, "glVertex2fv", (v,))
 
 
 def glVertex2d(x: float, y: float, surplus: Any = None) -> None:
@@ -93,7 +93,7 @@ def glVertex2d(x: float, y: float, surplus: Any = None) -> None:
     try:
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex2d", (x, y))
+        retry(error, "glVertex2d", (x, y))
 
 
 def glVertex2dv(v: Numbers, surplus: Any = None) -> None:
@@ -104,7 +104,7 @@ def glVertex2dv(v: Numbers, surplus: Any = None) -> None:
         x, y = v
         m.write(row(x, y, 0.0, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex2dv", (v,))
+        retry(error, "glVertex2dv", (v,))
 
 
 def glVertex3s(x: int, y: int, z: int, surplus: Any = None) -> None:
@@ -114,7 +114,7 @@ def glVertex3s(x: int, y: int, z: int, surplus: Any = None) -> None:
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex3s", (x, y, z))
+        retry(error, "glVertex3s", (x, y, z))
 
 
 def glVertex3sv(v: Numbers, surplus: Any = None) -> None:
@@ -125,7 +125,7 @@ def glVertex3sv(v: Numbers, surplus: Any = None) -> None:
         x, y, z = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex3sv", (v,))
+        retry(error, "glVertex3sv", (v,))
 
 
 def glVertex3i(x: int, y: int, z: int, surplus: Any = None) -> None:
@@ -135,7 +135,7 @@ def glVertex3i(x: int, y: int, z: int, surplus: Any = None) -> None:
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex3i", (x, y, z))
+        retry(error, "glVertex3i", (x, y, z))
 
 
 def glVertex3iv(v: Numbers, surplus: Any = None) -> None:
@@ -146,7 +146,7 @@ def glVertex3iv(v: Numbers, surplus: Any = None) -> None:
         x, y, z = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex3iv", (v,))
+        retry(error, "glVertex3iv", (v,))
 
 
 def glVertex3f(x: float, y: float, z: float, surplus: Any = None) -> None:
@@ -156,7 +156,7 @@ def glVertex3f(x: float, y: float, z: float, surplus: Any = None) -> None:
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex3f", (x, y, z))
+        retry(error, "glVertex3f", (x, y, z))
 
 
 def glVertex3fv(v: Numbers, surplus: Any = None) -> None:
@@ -167,7 +167,7 @@ def glVertex3fv(v: Numbers, surplus: Any = None) -> None:
         x, y, z = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex3fv", (v,))
+        retry(error, "glVertex3fv", (v,))
 
 
 def glVertex3d(x: float, y: float, z: float, surplus: Any = None) -> None:
@@ -177,7 +177,7 @@ def glVertex3d(x: float, y: float, z: float, surplus: Any = None) -> None:
     try:
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex3d", (x, y, z))
+        retry(error, "glVertex3d", (x, y, z))
 
 
 def glVertex3dv(v: Numbers, surplus: Any = None) -> None:
@@ -188,7 +188,7 @@ def glVertex3dv(v: Numbers, surplus: Any = None) -> None:
         x, y, z = v
         m.write(row(x, y, z, m.nx, m.ny, m.nz, m.red, m.green, m.blue, m.alpha))
     except BAD as error:
-        again(error, "glVertex3dv", (v,))
+        retry(error, "glVertex3dv", (v,))
 
 
 def glVertex4s(x: int, y: int, z: int, w: int, surplus: Any = None) -> None:
@@ -200,7 +200,7 @@ def glVertex4s(x: int, y: int, z: int, w: int, surplus: Any = None) -> None:
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        again(error, "glVertex4s", (x, y, z, w))
+        retry(error, "glVertex4s", (x, y, z, w))
 
 
 def glVertex4sv(v: Numbers, surplus: Any = None) -> None:
@@ -213,7 +213,7 @@ def glVertex4sv(v: Numbers, surplus: Any = None) -> None:
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        again(error, "glVertex4sv", (v,))
+        retry(error, "glVertex4sv", (v,))
 
 
 def glVertex4i(x: int, y: int, z: int, w: int, surplus: Any = None) -> None:
@@ -225,7 +225,7 @@ def glVertex4i(x: int, y: int, z: int, w: int, surplus: Any = None) -> None:
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        again(error, "glVertex4i", (x, y, z, w))
+        retry(error, "glVertex4i", (x, y, z, w))
 
 
 def glVertex4iv(v: Numbers, surplus: Any = None) -> None:
@@ -238,7 +238,7 @@ def glVertex4iv(v: Numbers, surplus: Any = None) -> None:
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        again(error, "glVertex4iv", (v,))
+        retry(error, "glVertex4iv", (v,))
 
 
 def glVertex4f(x: float, y: float, z: float, w: float, surplus: Any = None) -> None:
@@ -250,7 +250,7 @@ def glVertex4f(x: float, y: float, z: float, w: float, surplus: Any = None) -> N
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        again(error, "glVertex4f", (x, y, z, w))
+        retry(error, "glVertex4f", (x, y, z, w))
 
 
 def glVertex4fv(v: Numbers, surplus: Any = None) -> None:
@@ -263,7 +263,7 @@ def glVertex4fv(v: Numbers, surplus: Any = None) -> None:
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        again(error, "glVertex4fv", (v,))
+        retry(error, "glVertex4fv", (v,))
 
 
 def glVertex4d(x: float, y: float, z: float, w: float, surplus: Any = None) -> None:
@@ -275,7 +275,7 @@ def glVertex4d(x: float, y: float, z: float, w: float, surplus: Any = None) -> N
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        again(error, "glVertex4d", (x, y, z, w))
+        retry(error, "glVertex4d", (x, y, z, w))
 
 
 def glVertex4dv(v: Numbers, surplus: Any = None) -> None:
@@ -288,7 +288,7 @@ def glVertex4dv(v: Numbers, surplus: Any = None) -> None:
         if w != 1.0 and m.inside is not None:
             m.columns.append(("w", m.stream.tell() // 40 - 1, w))
     except BAD as error:
-        again(error, "glVertex4dv", (v,))
+        retry(error, "glVertex4dv", (v,))
 
 
 def glNormal3b(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
@@ -300,7 +300,7 @@ def glNormal3b(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
         m.ny = (2 * ny + 1) / 255.0
         m.nz = (2 * nz + 1) / 255.0
     except BAD as error:
-        again(error, "glNormal3b", (nx, ny, nz))
+        retry(error, "glNormal3b", (nx, ny, nz))
 
 
 def glNormal3bv(v: Numbers, surplus: Any = None) -> None:
@@ -313,7 +313,7 @@ def glNormal3bv(v: Numbers, surplus: Any = None) -> None:
         m.ny = (2 * ny + 1) / 255.0
         m.nz = (2 * nz + 1) / 255.0
     except BAD as error:
-        again(error, "glNormal3bv", (v,))
+        retry(error, "glNormal3bv", (v,))
 
 
 def glNormal3s(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
@@ -325,7 +325,7 @@ def glNormal3s(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
         m.ny = (2 * ny + 1) / 65535.0
         m.nz = (2 * nz + 1) / 65535.0
     except BAD as error:
-        again(error, "glNormal3s", (nx, ny, nz))
+        retry(error, "glNormal3s", (nx, ny, nz))
 
 
 def glNormal3sv(v: Numbers, surplus: Any = None) -> None:
@@ -338,7 +338,7 @@ def glNormal3sv(v: Numbers, surplus: Any = None) -> None:
         m.ny = (2 * ny + 1) / 65535.0
         m.nz = (2 * nz + 1) / 65535.0
     except BAD as error:
-        again(error, "glNormal3sv", (v,))
+        retry(error, "glNormal3sv", (v,))
 
 
 def glNormal3i(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
@@ -350,7 +350,7 @@ def glNormal3i(nx: int, ny: int, nz: int, surplus: Any = None) -> None:
         m.ny = (2 * ny + 1) / 4294967295.0
         m.nz = (2 * nz + 1) / 4294967295.0
     except BAD as error:
-        again(error, "glNormal3i", (nx, ny, nz))
+        retry(error, "glNormal3i", (nx, ny, nz))
 
 
 def glNormal3iv(v: Numbers, surplus: Any = None) -> None:
@@ -363,7 +363,7 @@ def glNormal3iv(v: Numbers, surplus: Any = None) -> None:
         m.ny = (2 * ny + 1) / 4294967295.0
         m.nz = (2 * nz + 1) / 4294967295.0
     except BAD as error:
-        again(error, "glNormal3iv", (v,))
+        retry(error, "glNormal3iv", (v,))
 
 
 def glNormal3f(nx: float, ny: float, nz: float, surplus: Any = None) -> None:
@@ -375,7 +375,7 @@ def glNormal3f(nx: float, ny: float, nz: float, surplus: Any = None) -> None:
         m.ny = ny
         m.nz = nz
     except BAD as error:
-        again(error, "glNormal3f", (nx, ny, nz))
+        retry(error, "glNormal3f", (nx, ny, nz))
 
 
 def glNormal3fv(v: Numbers, surplus: Any = None) -> None:
@@ -388,7 +388,7 @@ def glNormal3fv(v: Numbers, surplus: Any = None) -> None:
         m.ny = ny
         m.nz = nz
     except BAD as error:
-        again(error, "glNormal3fv", (v,))
+        retry(error, "glNormal3fv", (v,))
 
 
 def glNormal3d(nx: float, ny: float, nz: float, surplus: Any = None) -> None:
@@ -400,7 +400,7 @@ def glNormal3d(nx: float, ny: float, nz: float, surplus: Any = None) -> None:
         m.ny = ny
         m.nz = nz
     except BAD as error:
-        again(error, "glNormal3d", (nx, ny, nz))
+        retry(error, "glNormal3d", (nx, ny, nz))
 
 
 def glNormal3dv(v: Numbers, surplus: Any = None) -> None:
@@ -413,7 +413,7 @@ def glNormal3dv(v: Numbers, surplus: Any = None) -> None:
         m.ny = ny
         m.nz = nz
     except BAD as error:
-        again(error, "glNormal3dv", (v,))
+        retry(error, "glNormal3dv", (v,))
 
 
 def glColor3b(red: int, green: int, blue: int, surplus: Any = None) -> None:
@@ -426,7 +426,7 @@ def glColor3b(red: int, green: int, blue: int, surplus: Any = None) -> None:
         m.blue = (2 * blue + 1) / 255.0
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3b", (red, green, blue))
+        retry(error, "glColor3b", (red, green, blue))
 
 
 def glColor3bv(v: Numbers, surplus: Any = None) -> None:
@@ -440,7 +440,7 @@ def glColor3bv(v: Numbers, surplus: Any = None) -> None:
         m.blue = (2 * blue + 1) / 255.0
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3bv", (v,))
+        retry(error, "glColor3bv", (v,))
 
 
 def glColor3s(red: int, green: int, blue: int, surplus: Any = None) -> None:
@@ -453,7 +453,7 @@ def glColor3s(red: int, green: int, blue: int, surplus: Any = None) -> None:
         m.blue = (2 * blue + 1) / 65535.0
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3s", (red, green, blue))
+        retry(error, "glColor3s", (red, green, blue))
 
 
 def glColor3sv(v: Numbers, surplus: Any = None) -> None:
@@ -467,7 +467,7 @@ def glColor3sv(v: Numbers, surplus: Any = None) -> None:
         m.blue = (2 * blue + 1) / 65535.0
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3sv", (v,))
+        retry(error, "glColor3sv", (v,))
 
 
 def glColor3i(red: int, green: int, blue: int, surplus: Any = None) -> None:
@@ -480,7 +480,7 @@ def glColor3i(red: int, green: int, blue: int, surplus: Any = None) -> None:
         m.blue = (2 * blue + 1) / 4294967295.0
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3i", (red, green, blue))
+        retry(error, "glColor3i", (red, green, blue))
 
 
 def glColor3iv(v: Numbers, surplus: Any = None) -> None:
@@ -494,7 +494,7 @@ def glColor3iv(v: Numbers, surplus: Any = None) -> None:
         m.blue = (2 * blue + 1) / 4294967295.0
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3iv", (v,))
+        retry(error, "glColor3iv", (v,))
 
 
 def glColor3f(red: float, green: float, blue: float, surplus: Any = None) -> None:
@@ -507,7 +507,7 @@ def glColor3f(red: float, green: float, blue: float, surplus: Any = None) -> Non
         m.blue = blue
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3f", (red, green, blue))
+        retry(error, "glColor3f", (red, green, blue))
 
 
 def glColor3fv(v: Numbers, surplus: Any = None) -> None:
@@ -521,7 +521,7 @@ def glColor3fv(v: Numbers, surplus: Any = None) -> None:
         m.blue = blue
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3fv", (v,))
+        retry(error, "glColor3fv", (v,))
 
 
 def glColor3d(red: float, green: float, blue: float, surplus: Any = None) -> None:
@@ -534,7 +534,7 @@ def glColor3d(red: float, green: float, blue: float, surplus: Any = None) -> Non
         m.blue = blue
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3d", (red, green, blue))
+        retry(error, "glColor3d", (red, green, blue))
 
 
 def glColor3dv(v: Numbers, surplus: Any = None) -> None:
@@ -548,7 +548,7 @@ def glColor3dv(v: Numbers, surplus: Any = None) -> None:
         m.blue = blue
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3dv", (v,))
+        retry(error, "glColor3dv", (v,))
 
 
 def glColor3ub(red: int, green: int, blue: int, surplus: Any = None) -> None:
@@ -561,7 +561,7 @@ def glColor3ub(red: int, green: int, blue: int, surplus: Any = None) -> None:
         m.blue = (blue & 255) / 255.0
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3ub", (red, green, blue))
+        retry(error, "glColor3ub", (red, green, blue))
 
 
 def glColor3ubv(v: Numbers, surplus: Any = None) -> None:
@@ -575,7 +575,7 @@ def glColor3ubv(v: Numbers, surplus: Any = None) -> None:
         m.blue = (blue & 255) / 255.0
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3ubv", (v,))
+        retry(error, "glColor3ubv", (v,))
 
 
 def glColor3us(red: int, green: int, blue: int, surplus: Any = None) -> None:
@@ -588,7 +588,7 @@ def glColor3us(red: int, green: int, blue: int, surplus: Any = None) -> None:
         m.blue = (blue & 65535) / 65535.0
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3us", (red, green, blue))
+        retry(error, "glColor3us", (red, green, blue))
 
 
 def glColor3usv(v: Numbers, surplus: Any = None) -> None:
@@ -602,7 +602,7 @@ def glColor3usv(v: Numbers, surplus: Any = None) -> None:
         m.blue = (blue & 65535) / 65535.0
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3usv", (v,))
+        retry(error, "glColor3usv", (v,))
 
 
 def glColor3ui(red: int, green: int, blue: int, surplus: Any = None) -> None:
@@ -615,7 +615,7 @@ def glColor3ui(red: int, green: int, blue: int, surplus: Any = None) -> None:
         m.blue = (blue & 4294967295) / 4294967295.0
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3ui", (red, green, blue))
+        retry(error, "glColor3ui", (red, green, blue))
 
 
 def glColor3uiv(v: Numbers, surplus: Any = None) -> None:
@@ -629,7 +629,7 @@ def glColor3uiv(v: Numbers, surplus: Any = None) -> None:
         m.blue = (blue & 4294967295) / 4294967295.0
         m.alpha = 1.0
     except BAD as error:
-        again(error, "glColor3uiv", (v,))
+        retry(error, "glColor3uiv", (v,))
 
 
 def glColor4b(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
@@ -642,7 +642,7 @@ def glColor4b(red: int, green: int, blue: int, alpha: int, surplus: Any = None) 
         m.blue = (2 * blue + 1) / 255.0
         m.alpha = (2 * alpha + 1) / 255.0
     except BAD as error:
-        again(error, "glColor4b", (red, green, blue, alpha))
+        retry(error, "glColor4b", (red, green, blue, alpha))
 
 
 def glColor4bv(v: Numbers, surplus: Any = None) -> None:
@@ -656,7 +656,7 @@ def glColor4bv(v: Numbers, surplus: Any = None) -> None:
         m.blue = (2 * blue + 1) / 255.0
         m.alpha = (2 * alpha + 1) / 255.0
     except BAD as error:
-        again(error, "glColor4bv", (v,))
+        retry(error, "glColor4bv", (v,))
 
 
 def glColor4s(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
@@ -669,7 +669,7 @@ def glColor4s(red: int, green: int, blue: int, alpha: int, surplus: Any = None) 
         m.blue = (2 * blue + 1) / 65535.0
         m.alpha = (2 * alpha + 1) / 65535.0
     except BAD as error:
-        again(error, "glColor4s", (red, green, blue, alpha))
+        retry(error, "glColor4s", (red, green, blue, alpha))
 
 
 def glColor4sv(v: Numbers, surplus: Any = None) -> None:
@@ -683,7 +683,7 @@ def glColor4sv(v: Numbers, surplus: Any = None) -> None:
         m.blue = (2 * blue + 1) / 65535.0
         m.alpha = (2 * alpha + 1) / 65535.0
     except BAD as error:
-        again(error, "glColor4sv", (v,))
+        retry(error, "glColor4sv", (v,))
 
 
 def glColor4i(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
@@ -696,7 +696,7 @@ def glColor4i(red: int, green: int, blue: int, alpha: int, surplus: Any = None) 
         m.blue = (2 * blue + 1) / 4294967295.0
         m.alpha = (2 * alpha + 1) / 4294967295.0
     except BAD as error:
-        again(error, "glColor4i", (red, green, blue, alpha))
+        retry(error, "glColor4i", (red, green, blue, alpha))
 
 
 def glColor4iv(v: Numbers, surplus: Any = None) -> None:
@@ -710,7 +710,7 @@ def glColor4iv(v: Numbers, surplus: Any = None) -> None:
         m.blue = (2 * blue + 1) / 4294967295.0
         m.alpha = (2 * alpha + 1) / 4294967295.0
     except BAD as error:
-        again(error, "glColor4iv", (v,))
+        retry(error, "glColor4iv", (v,))
 
 
 def glColor4f(red: float, green: float, blue: float, alpha: float, surplus: Any = None) -> None:
@@ -723,7 +723,7 @@ def glColor4f(red: float, green: float, blue: float, alpha: float, surplus: Any 
         m.blue = blue
         m.alpha = alpha
     except BAD as error:
-        again(error, "glColor4f", (red, green, blue, alpha))
+        retry(error, "glColor4f", (red, green, blue, alpha))
 
 
 def glColor4fv(v: Numbers, surplus: Any = None) -> None:
@@ -737,7 +737,7 @@ def glColor4fv(v: Numbers, surplus: Any = None) -> None:
         m.blue = blue
         m.alpha = alpha
     except BAD as error:
-        again(error, "glColor4fv", (v,))
+        retry(error, "glColor4fv", (v,))
 
 
 def glColor4d(red: float, green: float, blue: float, alpha: float, surplus: Any = None) -> None:
@@ -750,7 +750,7 @@ def glColor4d(red: float, green: float, blue: float, alpha: float, surplus: Any 
         m.blue = blue
         m.alpha = alpha
     except BAD as error:
-        again(error, "glColor4d", (red, green, blue, alpha))
+        retry(error, "glColor4d", (red, green, blue, alpha))
 
 
 def glColor4dv(v: Numbers, surplus: Any = None) -> None:
@@ -764,7 +764,7 @@ def glColor4dv(v: Numbers, surplus: Any = None) -> None:
         m.blue = blue
         m.alpha = alpha
     except BAD as error:
-        again(error, "glColor4dv", (v,))
+        retry(error, "glColor4dv", (v,))
 
 
 def glColor4ub(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
@@ -777,7 +777,7 @@ def glColor4ub(red: int, green: int, blue: int, alpha: int, surplus: Any = None)
         m.blue = (blue & 255) / 255.0
         m.alpha = (alpha & 255) / 255.0
     except BAD as error:
-        again(error, "glColor4ub", (red, green, blue, alpha))
+        retry(error, "glColor4ub", (red, green, blue, alpha))
 
 
 def glColor4ubv(v: Numbers, surplus: Any = None) -> None:
@@ -791,7 +791,7 @@ def glColor4ubv(v: Numbers, surplus: Any = None) -> None:
         m.blue = (blue & 255) / 255.0
         m.alpha = (alpha & 255) / 255.0
     except BAD as error:
-        again(error, "glColor4ubv", (v,))
+        retry(error, "glColor4ubv", (v,))
 
 
 def glColor4us(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
@@ -804,7 +804,7 @@ def glColor4us(red: int, green: int, blue: int, alpha: int, surplus: Any = None)
         m.blue = (blue & 65535) / 65535.0
         m.alpha = (alpha & 65535) / 65535.0
     except BAD as error:
-        again(error, "glColor4us", (red, green, blue, alpha))
+        retry(error, "glColor4us", (red, green, blue, alpha))
 
 
 def glColor4usv(v: Numbers, surplus: Any = None) -> None:
@@ -818,7 +818,7 @@ def glColor4usv(v: Numbers, surplus: Any = None) -> None:
         m.blue = (blue & 65535) / 65535.0
         m.alpha = (alpha & 65535) / 65535.0
     except BAD as error:
-        again(error, "glColor4usv", (v,))
+        retry(error, "glColor4usv", (v,))
 
 
 def glColor4ui(red: int, green: int, blue: int, alpha: int, surplus: Any = None) -> None:
@@ -831,7 +831,7 @@ def glColor4ui(red: int, green: int, blue: int, alpha: int, surplus: Any = None)
         m.blue = (blue & 4294967295) / 4294967295.0
         m.alpha = (alpha & 4294967295) / 4294967295.0
     except BAD as error:
-        again(error, "glColor4ui", (red, green, blue, alpha))
+        retry(error, "glColor4ui", (red, green, blue, alpha))
 
 
 def glColor4uiv(v: Numbers, surplus: Any = None) -> None:
@@ -845,7 +845,7 @@ def glColor4uiv(v: Numbers, surplus: Any = None) -> None:
         m.blue = (blue & 4294967295) / 4294967295.0
         m.alpha = (alpha & 4294967295) / 4294967295.0
     except BAD as error:
-        again(error, "glColor4uiv", (v,))
+        retry(error, "glColor4uiv", (v,))
 
 
 def glTexCoord1s(s: int, surplus: Any = None) -> None:
@@ -855,7 +855,7 @@ def glTexCoord1s(s: int, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord1s", (s,))
+        retry(error, "glTexCoord1s", (s,))
 
 
 def glTexCoord1sv(v: Numbers, surplus: Any = None) -> None:
@@ -866,7 +866,7 @@ def glTexCoord1sv(v: Numbers, surplus: Any = None) -> None:
         s = _first(v)
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord1sv", (v,))
+        retry(error, "glTexCoord1sv", (v,))
 
 
 def glTexCoord1i(s: int, surplus: Any = None) -> None:
@@ -876,7 +876,7 @@ def glTexCoord1i(s: int, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord1i", (s,))
+        retry(error, "glTexCoord1i", (s,))
 
 
 def glTexCoord1iv(v: Numbers, surplus: Any = None) -> None:
@@ -887,7 +887,7 @@ def glTexCoord1iv(v: Numbers, surplus: Any = None) -> None:
         s = _first(v)
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord1iv", (v,))
+        retry(error, "glTexCoord1iv", (v,))
 
 
 def glTexCoord1f(s: float, surplus: Any = None) -> None:
@@ -897,7 +897,7 @@ def glTexCoord1f(s: float, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord1f", (s,))
+        retry(error, "glTexCoord1f", (s,))
 
 
 def glTexCoord1fv(v: Numbers, surplus: Any = None) -> None:
@@ -908,7 +908,7 @@ def glTexCoord1fv(v: Numbers, surplus: Any = None) -> None:
         s = _first(v)
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord1fv", (v,))
+        retry(error, "glTexCoord1fv", (v,))
 
 
 def glTexCoord1d(s: float, surplus: Any = None) -> None:
@@ -918,7 +918,7 @@ def glTexCoord1d(s: float, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord1d", (s,))
+        retry(error, "glTexCoord1d", (s,))
 
 
 def glTexCoord1dv(v: Numbers, surplus: Any = None) -> None:
@@ -929,7 +929,7 @@ def glTexCoord1dv(v: Numbers, surplus: Any = None) -> None:
         s = _first(v)
         m.texcoord.append((m.stream.tell(), (s + 0.0, 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord1dv", (v,))
+        retry(error, "glTexCoord1dv", (v,))
 
 
 def glTexCoord2s(s: int, t: int, surplus: Any = None) -> None:
@@ -939,7 +939,7 @@ def glTexCoord2s(s: int, t: int, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord2s", (s, t))
+        retry(error, "glTexCoord2s", (s, t))
 
 
 def glTexCoord2sv(v: Numbers, surplus: Any = None) -> None:
@@ -950,7 +950,7 @@ def glTexCoord2sv(v: Numbers, surplus: Any = None) -> None:
         s, t = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord2sv", (v,))
+        retry(error, "glTexCoord2sv", (v,))
 
 
 def glTexCoord2i(s: int, t: int, surplus: Any = None) -> None:
@@ -960,7 +960,7 @@ def glTexCoord2i(s: int, t: int, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord2i", (s, t))
+        retry(error, "glTexCoord2i", (s, t))
 
 
 def glTexCoord2iv(v: Numbers, surplus: Any = None) -> None:
@@ -971,7 +971,7 @@ def glTexCoord2iv(v: Numbers, surplus: Any = None) -> None:
         s, t = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord2iv", (v,))
+        retry(error, "glTexCoord2iv", (v,))
 
 
 def glTexCoord2f(s: float, t: float, surplus: Any = None) -> None:
@@ -981,7 +981,7 @@ def glTexCoord2f(s: float, t: float, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord2f", (s, t))
+        retry(error, "glTexCoord2f", (s, t))
 
 
 def glTexCoord2fv(v: Numbers, surplus: Any = None) -> None:
@@ -992,7 +992,7 @@ def glTexCoord2fv(v: Numbers, surplus: Any = None) -> None:
         s, t = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord2fv", (v,))
+        retry(error, "glTexCoord2fv", (v,))
 
 
 def glTexCoord2d(s: float, t: float, surplus: Any = None) -> None:
@@ -1002,7 +1002,7 @@ def glTexCoord2d(s: float, t: float, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord2d", (s, t))
+        retry(error, "glTexCoord2d", (s, t))
 
 
 def glTexCoord2dv(v: Numbers, surplus: Any = None) -> None:
@@ -1013,7 +1013,7 @@ def glTexCoord2dv(v: Numbers, surplus: Any = None) -> None:
         s, t = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord2dv", (v,))
+        retry(error, "glTexCoord2dv", (v,))
 
 
 def glTexCoord3s(s: int, t: int, r: int, surplus: Any = None) -> None:
@@ -1023,7 +1023,7 @@ def glTexCoord3s(s: int, t: int, r: int, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord3s", (s, t, r))
+        retry(error, "glTexCoord3s", (s, t, r))
 
 
 def glTexCoord3sv(v: Numbers, surplus: Any = None) -> None:
@@ -1034,7 +1034,7 @@ def glTexCoord3sv(v: Numbers, surplus: Any = None) -> None:
         s, t, r = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord3sv", (v,))
+        retry(error, "glTexCoord3sv", (v,))
 
 
 def glTexCoord3i(s: int, t: int, r: int, surplus: Any = None) -> None:
@@ -1044,7 +1044,7 @@ def glTexCoord3i(s: int, t: int, r: int, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord3i", (s, t, r))
+        retry(error, "glTexCoord3i", (s, t, r))
 
 
 def glTexCoord3iv(v: Numbers, surplus: Any = None) -> None:
@@ -1055,7 +1055,7 @@ def glTexCoord3iv(v: Numbers, surplus: Any = None) -> None:
         s, t, r = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord3iv", (v,))
+        retry(error, "glTexCoord3iv", (v,))
 
 
 def glTexCoord3f(s: float, t: float, r: float, surplus: Any = None) -> None:
@@ -1065,7 +1065,7 @@ def glTexCoord3f(s: float, t: float, r: float, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord3f", (s, t, r))
+        retry(error, "glTexCoord3f", (s, t, r))
 
 
 def glTexCoord3fv(v: Numbers, surplus: Any = None) -> None:
@@ -1076,7 +1076,7 @@ def glTexCoord3fv(v: Numbers, surplus: Any = None) -> None:
         s, t, r = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord3fv", (v,))
+        retry(error, "glTexCoord3fv", (v,))
 
 
 def glTexCoord3d(s: float, t: float, r: float, surplus: Any = None) -> None:
@@ -1086,7 +1086,7 @@ def glTexCoord3d(s: float, t: float, r: float, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord3d", (s, t, r))
+        retry(error, "glTexCoord3d", (s, t, r))
 
 
 def glTexCoord3dv(v: Numbers, surplus: Any = None) -> None:
@@ -1097,7 +1097,7 @@ def glTexCoord3dv(v: Numbers, surplus: Any = None) -> None:
         s, t, r = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, 1.0)))
     except BAD as error:
-        again(error, "glTexCoord3dv", (v,))
+        retry(error, "glTexCoord3dv", (v,))
 
 
 def glTexCoord4s(s: int, t: int, r: int, q: int, surplus: Any = None) -> None:
@@ -1107,7 +1107,7 @@ def glTexCoord4s(s: int, t: int, r: int, q: int, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
-        again(error, "glTexCoord4s", (s, t, r, q))
+        retry(error, "glTexCoord4s", (s, t, r, q))
 
 
 def glTexCoord4sv(v: Numbers, surplus: Any = None) -> None:
@@ -1118,7 +1118,7 @@ def glTexCoord4sv(v: Numbers, surplus: Any = None) -> None:
         s, t, r, q = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
-        again(error, "glTexCoord4sv", (v,))
+        retry(error, "glTexCoord4sv", (v,))
 
 
 def glTexCoord4i(s: int, t: int, r: int, q: int, surplus: Any = None) -> None:
@@ -1128,7 +1128,7 @@ def glTexCoord4i(s: int, t: int, r: int, q: int, surplus: Any = None) -> None:
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
-        again(error, "glTexCoord4i", (s, t, r, q))
+        retry(error, "glTexCoord4i", (s, t, r, q))
 
 
 def glTexCoord4iv(v: Numbers, surplus: Any = None) -> None:
@@ -1139,7 +1139,7 @@ def glTexCoord4iv(v: Numbers, surplus: Any = None) -> None:
         s, t, r, q = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
-        again(error, "glTexCoord4iv", (v,))
+        retry(error, "glTexCoord4iv", (v,))
 
 
 def glTexCoord4f(s: float, t: float, r: float, q: float, surplus: Any = None) -> None:
@@ -1149,7 +1149,7 @@ def glTexCoord4f(s: float, t: float, r: float, q: float, surplus: Any = None) ->
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
-        again(error, "glTexCoord4f", (s, t, r, q))
+        retry(error, "glTexCoord4f", (s, t, r, q))
 
 
 def glTexCoord4fv(v: Numbers, surplus: Any = None) -> None:
@@ -1160,7 +1160,7 @@ def glTexCoord4fv(v: Numbers, surplus: Any = None) -> None:
         s, t, r, q = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
-        again(error, "glTexCoord4fv", (v,))
+        retry(error, "glTexCoord4fv", (v,))
 
 
 def glTexCoord4d(s: float, t: float, r: float, q: float, surplus: Any = None) -> None:
@@ -1170,7 +1170,7 @@ def glTexCoord4d(s: float, t: float, r: float, q: float, surplus: Any = None) ->
     try:
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
-        again(error, "glTexCoord4d", (s, t, r, q))
+        retry(error, "glTexCoord4d", (s, t, r, q))
 
 
 def glTexCoord4dv(v: Numbers, surplus: Any = None) -> None:
@@ -1181,4 +1181,4 @@ def glTexCoord4dv(v: Numbers, surplus: Any = None) -> None:
         s, t, r, q = v
         m.texcoord.append((m.stream.tell(), (s + 0.0, t + 0.0, r + 0.0, q + 0.0)))
     except BAD as error:
-        again(error, "glTexCoord4dv", (v,))
+        retry(error, "glTexCoord4dv", (v,))

@@ -46,20 +46,20 @@ class Entry(NamedTuple):
 @cache
 def entries() -> dict[str, Entry]:
     """Of manual.txt, by the name of the command or its family."""
-    found: dict[str, Entry] = {}
+    manual: dict[str, Entry] = {}
     for block in Path(__file__).with_name("manual.txt").read_text(encoding="utf-8").strip().split("\n\n"):
         names, *lines = block.split("\n")
         text = [line for line in lines if not re.match(r"\s|\w+: ", line)]
         parameters = re.findall(r"^(\w+): (.*(?:\n .*)*)", "\n".join(lines), re.MULTILINE)
         entry = Entry("\n".join(text), dict(parameters))
-        found.update(dict.fromkeys(names.split(), entry))
-    return found
+        manual.update(dict.fromkeys(names.split(), entry))
+    return manual
 
 
 def meaning(name: str, parameter: str) -> str:
     """Of one parameter of a command or family.  Raises KeyError if the manual does not say it."""
-    own = entries()[name].parameters
-    return own[parameter] if parameter in own else entries()["*"].parameters[parameter]
+    parameters = entries()[name].parameters
+    return parameters[parameter] if parameter in parameters else entries()["*"].parameters[parameter]
 
 
 def doc(name: str, parameters: tuple[str, ...] = ()) -> str:

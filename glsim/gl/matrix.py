@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from glsim.gl.arguments import exactly, matrix16, unit, whole
+from glsim.gl.arguments import as_int32, exactly, matrix16, unit
 from glsim.machine import constants as gl
 from glsim.machine import matrix
 from glsim.machine.errors import invalid_enum, invalid_value, stack_overflow, stack_underflow
@@ -102,7 +102,7 @@ def glViewport(m: Machine, x: int, y: int, width: int, height: int) -> None:
         raise invalid_value("width and height", (width, height), "at least 0")
     largest = 16384
     size = min(int(width), largest), min(int(height), largest)
-    m.viewport = m.viewport._replace(x=whole(x), y=whole(y), width=size[0], height=size[1])
+    m.viewport = m.viewport._replace(x=as_int32(x), y=as_int32(y), width=size[0], height=size[1])
 
 
 def glDepthRange(m: Machine, zNear: float, zFar: float) -> None:

@@ -13,28 +13,28 @@ from glsim.machine.machine import MOST_NAMES, Machine
 from glsim.machine.types import fill
 
 
-def new_names(m: Machine, what: str, n: int, used: Callable[[int], bool]) -> list[int]:
-    """The ``n`` smallest unused names.  what: "textures", "buffers", "queries" or "lists"."""
+def new_names(m: Machine, kind: str, n: int, is_used: Callable[[int], bool]) -> list[int]:
+    """The ``n`` smallest unused names.  kind: "textures", "buffers", "queries" or "lists"."""
     if n < 0:
         raise invalid_value("n", n, "at least 0")
     if n > MOST_NAMES:
         raise out_of_memory(f"{n} names are more than the {MOST_NAMES} that can be")
     names: list[int] = []
-    name = m.objects.lowest.get(what, 1)
+    name = m.objects.lowest.get(kind, 1)
     while len(names) < n:
-        if not used(name):
+        if not is_used(name):
             names.append(name)
         name += 1
-    m.objects.lowest[what] = name
+    m.objects.lowest[kind] = name
     return names
 
 
-def free_name(m: Machine, what: str, name: int) -> None:
+def free_name(m: Machine, kind: str, name: int) -> None:
     """The name can be given again."""
-    m.objects.lowest[what] = min(m.objects.lowest.get(what, 1), name)
+    m.objects.lowest[kind] = min(m.objects.lowest.get(kind, 1), name)
 
 
-def given_names(names: Sequence[int], array: Any) -> Any:
+def returned_names(names: Sequence[int], array: Any) -> Any:
     """Names as PyOpenGL returns them: one number, an array of several, or ``array`` filled with them."""
     if array is not None:
         return fill(array, names)

@@ -7,26 +7,13 @@ from typing import Any
 import numpy as np
 
 from glsim.gl.arguments import numbers
-from glsim.gl.teximage import deliver
+from glsim.gl.texread import deliver
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value, out_of_memory
 from glsim.machine.frame import Pixels
 from glsim.machine.machine import Machine
-from glsim.machine.pixels import (
-    INDEX_MAPS,
-    MAPS,
-    PACK_FIELDS,
-    UNPACK_FIELDS,
-    as_numbers,
-    check,
-    colors,
-    depths,
-    pack_colors,
-    pack_into,
-    stencils,
-    transferred,
-    unpack,
-)
+from glsim.machine.packing import as_numbers, check, pack_colors, pack_into, unpack
+from glsim.machine.pixels import INDEX_MAPS, MAPS, PACK_FIELDS, UNPACK_FIELDS, colors, depths, stencils, transferred
 from glsim.machine.types import DTYPES, fill, plain
 
 LARGEST_RECTANGLE = 16384
@@ -112,10 +99,10 @@ def glPixelMapusv(m: Machine, map: int, size: Any, values: Any = None) -> None:
 
 
 def _pixel_map(m: Machine, map: int, size: Any, values: Any, one: float) -> None:
-    given = numbers(size if values is None else values)
+    table = numbers(size if values is None else values)
     if map not in (gl.GL_PIXEL_MAP_I_TO_I, gl.GL_PIXEL_MAP_S_TO_S):
-        given = tuple(value / one for value in given)
-    glPixelMap(m, map, len(given) if values is None else int(size), given)
+        table = tuple(value / one for value in table)
+    glPixelMap(m, map, len(table) if values is None else int(size), table)
 
 
 def _check_map(map: int) -> None:
@@ -143,8 +130,8 @@ def _get_pixel_map(m: Machine, map: int, values: Any, one: float, dtype: type) -
     table = np.array(m.pixel.map(map), np.float64)
     if map not in (gl.GL_PIXEL_MAP_I_TO_I, gl.GL_PIXEL_MAP_S_TO_S):
         table = table * one
-    found: Any = table.astype(dtype)
-    return found if values is None else fill(values, found)
+    converted: Any = table.astype(dtype)
+    return converted if values is None else fill(values, converted)
 
 
 def glPixelZoom(m: Machine, zx: float, zy: float) -> None:

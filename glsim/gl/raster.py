@@ -10,7 +10,7 @@ from glsim.gl.arguments import exactly, numbers
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum, invalid_value
 from glsim.machine.machine import Machine
-from glsim.machine.pixels import unpack
+from glsim.machine.packing import unpack
 from glsim.machine.types import raw_bytes
 
 LARGEST_POINT = 255.0

@@ -54,12 +54,12 @@ class FeedbackVertex(NamedTuple):
 
 @dataclass
 class Selection:
-    """Buffer of glSelectBuffer, the name stack, and the hit that is being noted."""
+    """Buffer of glSelectBuffer, the name stack, and the hit that is being noted.  length: of what was written."""
 
     buffer: NDArray[np.uint32]
     names: list[int] = field(default_factory=list)
     depths: tuple[float, float] | None = None
-    used: int = 0
+    length: int = 0
     records: int = 0
     overflow: bool = False
 
@@ -73,30 +73,30 @@ class Selection:
             return
         near, far = (round(min(max(depth, 0.0), 1.0) * LARGEST_DEPTH) for depth in self.depths)
         record = [len(self.names), near, far, *self.names]
-        room = record[: max(len(self.buffer) - self.used, 0)]
-        self.buffer[self.used : self.used + len(room)] = room
+        room = record[: max(len(self.buffer) - self.length, 0)]
+        self.buffer[self.length : self.length + len(room)] = room
         self.overflow |= len(room) < len(record)
-        self.used += len(record)
+        self.length += len(record)
         self.records += 1
         self.depths = None
 
     def parse(self) -> list[SelectRecord]:
-        found, at = [], 0
+        hits, start = [], 0
         for _ in range(self.records):
-            count, near, far = (int(value) for value in self.buffer[at : at + 3])
-            names = self.buffer[at + 3 : at + 3 + count].tolist()
-            found.append(SelectRecord(near / LARGEST_DEPTH, far / LARGEST_DEPTH, names))
-            at += 3 + count
-        return found
+            count, near, far = (int(value) for value in self.buffer[start : start + 3])
+            names = self.buffer[start + 3 : start + 3 + count].tolist()
+            hits.append(SelectRecord(near / LARGEST_DEPTH, far / LARGEST_DEPTH, names))
+            start += 3 + count
+        return hits
 
 
 @dataclass
 class Feedback:
-    """Buffer of glFeedbackBuffer and what was written into it."""
+    """Buffer of glFeedbackBuffer and what was written into it.  length: of all that came, also without room."""
 
     buffer: NDArray[np.float32]
     type: int
-    used: int = 0
+    length: int = 0
     records: list[tuple[Any, ...]] = field(default_factory=list)
 
     def write(self, token: int, *vertices: Float, count: bool = False) -> None:
@@ -113,9 +113,9 @@ class Feedback:
         self.records.append((gl.GL_PASS_THROUGH_TOKEN, token))
 
     def _append(self, values: list[float]) -> None:
-        room = values[: max(len(self.buffer) - self.used, 0)]
-        self.buffer[self.used : self.used + len(room)] = room
-        self.used += len(values)
+        room = values[: max(len(self.buffer) - self.length, 0)]
+        self.buffer[self.length : self.length + len(room)] = room
+        self.length += len(values)
 
     def _parts(self, vertex: Float) -> tuple[Any, Any, Any]:
         row = vertex.astype(np.float32)
@@ -183,7 +183,7 @@ def glRenderMode(m: Machine, mode: int) -> Any:
             raise stack_overflow(f"the buffer of glSelectBuffer holds {len(selection.buffer)} numbers: too few")
         return selection.parse()
     if before == gl.GL_FEEDBACK:
-        if feedback.used > len(feedback.buffer):
+        if feedback.length > len(feedback.buffer):
             raise stack_overflow(f"the buffer of glFeedbackBuffer holds {len(feedback.buffer)} numbers: too few")
         return feedback.records
     return result

@@ -40,15 +40,15 @@ def library_stubs(library: str) -> str:
     values = _public(f"glsim.{library}")
     about = f'"""What {library} gives.  Written by ``python -m glsim.gl.generate``; do not edit."""'
     imports = ["from collections.abc import Callable", "from typing import Any"]
-    made = {name: value for name, value in values.items() if inspect.isfunction(value) and not _is_written(value)}
+    defined = {name: value for name, value in values.items() if inspect.isfunction(value) and not _is_written(value)}
     for name, value in values.items():
-        if name not in made and _is_defined(value):
+        if name not in defined and _is_defined(value):
             imports.append(f"from {value.__module__} import {value.__name__} as {name}")
-        elif name not in made and type(value) not in (bool, int, float, ModuleType):
+        elif name not in defined and type(value) not in (bool, int, float, ModuleType):
             imports.append(f"from {type(value).__module__} import {type(value).__name__}")
     declared = [_declaration(name, value) for name, value in values.items()]
     functions = [
-        _signature(name, str(inspect.signature(value)).replace("'", ""), value) for name, value in made.items()
+        _signature(name, str(inspect.signature(value)).replace("'", ""), value) for name, value in defined.items()
     ]
     lines = [about, "", *dict.fromkeys(imports), "", _all(values), *filter(None, declared), "", *functions]
     return "\n".join(lines) + "\n"

@@ -1,6 +1,6 @@
 """Texture objects and their parameters: section 3.8 of the specification.
 
-Images are in teximage.py, environments and texture coordinates in texenv.py.
+Images are in teximage.py, texcopy.py and texread.py, environments and texture coordinates in texenv.py.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from glsim.gl.arguments import exactly, numbers, unit
-from glsim.gl.naming import free_name, given_names, names_from, new_names
+from glsim.gl.naming import free_name, names_from, new_names, returned_names
 from glsim.machine import constants as gl
 from glsim.machine.constants import Enum
 from glsim.machine.errors import invalid_enum, invalid_operation, invalid_value
@@ -100,7 +100,7 @@ def glGenTextures(m: Machine, n: int, textures: Any = None) -> Any:
 
     names = new_names(m, "textures", n, used)
     m.objects.texture_names |= set(names)
-    return given_names(names, textures)
+    return returned_names(names, textures)
 
 
 def glDeleteTextures(m: Machine, n: Any, textures: Any = None) -> None:

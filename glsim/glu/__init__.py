@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from glsim.glu import constants, errors, images, nurbs, quadric, tess, view
+from glsim.glu import constants, cylinder, disc, errors, images, nurbs, nurbsobject, quadric, sphere, tess, view
 from glsim.glu.errors import GLUError as GLUError
 from glsim.glu.errors import GLUWarning as GLUWarning
 from glsim.machine.sentences import explained
@@ -13,10 +13,10 @@ from glsim.names import missing
 GLUerror = GLUError  # PyOpenGL's names
 GLUquadric = GLUQuadric = GLUquadricObj = quadric.Quadric
 GLUtesselator = GLUtesselatorObj = GLUtriangulatorObj = tess.Tessellator
-GLUnurbs = GLUnurbsObj = nurbs.Nurbs
+GLUnurbs = GLUnurbsObj = nurbsobject.Nurbs
 globals().update(constants.NAMES)
 GLU_TESS_MAX_COORD = constants.GLU_TESS_MAX_COORD
-for _topic in (errors, images, nurbs, quadric, tess, view):
+for _topic in (errors, images, nurbs, quadric, cylinder, disc, sphere, tess, view):
     globals().update(
         {
             name: explained(name, value)

@@ -7,8 +7,8 @@ from glsim.glu.quadric import Quadric as GLUQuadric
 from glsim.glu.errors import GLUWarning as GLUWarning
 from glsim.machine.constants import Enum
 from glsim.glu.errors import GLUError as GLUerror
-from glsim.glu.nurbs import Nurbs as GLUnurbs
-from glsim.glu.nurbs import Nurbs as GLUnurbsObj
+from glsim.glu.nurbsobject import Nurbs as GLUnurbs
+from glsim.glu.nurbsobject import Nurbs as GLUnurbsObj
 from glsim.glu.quadric import Quadric as GLUquadric
 from glsim.glu.quadric import Quadric as GLUquadricObj
 from glsim.glu.tess import Tessellator as GLUtesselator
@@ -25,11 +25,11 @@ from glsim.glu.images import gluBuild2DMipmaps as gluBuild2DMipmaps
 from glsim.glu.images import gluBuild3DMipmapLevels as gluBuild3DMipmapLevels
 from glsim.glu.images import gluBuild3DMipmaps as gluBuild3DMipmaps
 from glsim.glu.errors import gluCheckExtension as gluCheckExtension
-from glsim.glu.quadric import gluCylinder as gluCylinder
+from glsim.glu.cylinder import gluCylinder as gluCylinder
 from glsim.glu.nurbs import gluDeleteNurbsRenderer as gluDeleteNurbsRenderer
 from glsim.glu.quadric import gluDeleteQuadric as gluDeleteQuadric
 from glsim.glu.tess import gluDeleteTess as gluDeleteTess
-from glsim.glu.quadric import gluDisk as gluDisk
+from glsim.glu.disc import gluDisk as gluDisk
 from glsim.glu.nurbs import gluEndCurve as gluEndCurve
 from glsim.glu.tess import gluEndPolygon as gluEndPolygon
 from glsim.glu.nurbs import gluEndSurface as gluEndSurface
@@ -51,7 +51,7 @@ from glsim.glu.nurbs import gluNurbsCurve as gluNurbsCurve
 from glsim.glu.nurbs import gluNurbsProperty as gluNurbsProperty
 from glsim.glu.nurbs import gluNurbsSurface as gluNurbsSurface
 from glsim.glu.view import gluOrtho2D as gluOrtho2D
-from glsim.glu.quadric import gluPartialDisk as gluPartialDisk
+from glsim.glu.disc import gluPartialDisk as gluPartialDisk
 from glsim.glu.view import gluPerspective as gluPerspective
 from glsim.glu.view import gluPickMatrix as gluPickMatrix
 from glsim.glu.view import gluProject as gluProject
@@ -62,7 +62,7 @@ from glsim.glu.quadric import gluQuadricNormals as gluQuadricNormals
 from glsim.glu.quadric import gluQuadricOrientation as gluQuadricOrientation
 from glsim.glu.quadric import gluQuadricTexture as gluQuadricTexture
 from glsim.glu.images import gluScaleImage as gluScaleImage
-from glsim.glu.quadric import gluSphere as gluSphere
+from glsim.glu.sphere import gluSphere as gluSphere
 from glsim.glu.tess import gluTessBeginContour as gluTessBeginContour
 from glsim.glu.tess import gluTessBeginPolygon as gluTessBeginPolygon
 from glsim.glu.tess import gluTessCallback as gluTessCallback

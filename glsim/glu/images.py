@@ -12,7 +12,8 @@ from glsim.glu.constants import NAMES
 from glsim.glu.errors import GLUError, one_of
 from glsim.machine.current import current_machine
 from glsim.machine.errors import GLError
-from glsim.machine.pixels import PACKED, PixelStore, as_numbers, as_unit, pack_into, unpack
+from glsim.machine.packing import PACKED, as_numbers, pack_into, unpack
+from glsim.machine.pixels import PixelStore, as_unit
 from glsim.machine.types import DTYPES
 
 # an error of OpenGL -> that of GLU
@@ -100,7 +101,7 @@ def _build(
     upload: Any = (gl.glTexImage1D, gl.glTexImage2D, gl.glTexImage3D)[len(size) - 1]
     number = np.uint8 if type in PACKED or np.dtype(DTYPES.get(type, np.uint8)).itemsize == 1 else np.float32
     machine = current_machine()
-    kept, machine.stores.unpack = machine.stores.unpack, PixelStore(alignment=1)
+    saved, machine.stores.unpack = machine.stores.unpack, PixelStore(alignment=1)
     try:
         for k in range(level, min(last, level + max(image.shape[:-1]).bit_length() - 1) + 1):
             if k >= base:
@@ -109,7 +110,7 @@ def _build(
                 upload(target, k, internalFormat, *image.shape[-2::-1], 0, format, kind, texels)
             image = scaled(image, tuple(max(length // 2, 1) for length in image.shape[:-1]))
     finally:
-        machine.stores.unpack = kept
+        machine.stores.unpack = saved
     return 0
 
 

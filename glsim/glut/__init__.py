@@ -13,14 +13,14 @@ import sys
 import traceback
 from typing import Any
 
-from glsim.glut import api, constants, fonts, menus, shapes, teaset
+from glsim.glut import api, callbacks, constants, fonts, menus, polyhedra, revolved, state, teaset, windows
 from glsim.machine.sentences import explained
 from glsim.names import missing
 
 HAVE_FREEGLUT = True
 fgDeinitialize = None
 globals().update(constants.NAMES)
-for _topic in (api, menus, shapes, teaset, fonts):
+for _topic in (api, windows, callbacks, state, menus, revolved, polyhedra, teaset, fonts):
     globals().update(
         {
             name: explained(name, value) if name.startswith("glut") else value

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib import import_module
 from typing import Any
@@ -58,9 +58,12 @@ class _Loader:
 
 
 class Display:
-    """All real windows; the clock of a loop that shows them."""
+    """All real windows; the clock of a loop that shows them.
 
-    def __init__(self, loop: Loop) -> None:
+    on_click: called with a window and the pixel, x and y from the upper left, when the left button is pressed and
+    released at one place; the program gets both events too."""
+
+    def __init__(self, loop: Loop, on_click: Callable[[Window, int, int], Any] | None = None) -> None:
         try:
             self.glfw = import_module("glfw")
         except ImportError:
@@ -69,7 +72,7 @@ class Display:
             ) from None
         if not self.glfw.init():
             raise RuntimeError("no window can be opened here (is there a display?); glsim run SCRIPT needs none")
-        self.loop = loop
+        self.loop, self.on_click = loop, on_click
         self.shown: dict[int, Shown] = {}
         self.start = time.perf_counter()
         self.counter = time.perf_counter  # time itself may be replaced
@@ -121,6 +124,8 @@ class Shown:
             self.program = self.ctx.program(vertex_shader=VERTEX, fragment_shader=FRAGMENT)
             self.triangle = self.ctx.vertex_array(self.program, [])
         self.buttons: set[int] = set()
+        self.pointer = (0, 0)  # where the last event found it
+        self.pressed: tuple[int, int] | None = None  # where the left button went down
         self.popup: Popup | None = None
         self._listen()
 
@@ -166,8 +171,8 @@ class Shown:
         glfw.set_scroll_callback(self.handle, self._scrolled)
 
     def _at(self) -> tuple[int, int]:
-        x, y = self.glfw.get_cursor_pos(self.handle)
-        return int(x), int(y)
+        """Where the pointer was at the last event; glfw.get_cursor_pos tells where it has gone since."""
+        return self.pointer
 
     def _fire(self, kind: str, *arguments: Any) -> None:
         self.loop.fire(self.window, kind, *arguments)
@@ -223,9 +228,24 @@ class Shown:
             return
         (self.buttons.add if down else self.buttons.discard)(number)
         self._fire("Mouse", number, int(NAMES["GLUT_DOWN" if down else "GLUT_UP"]), *self._at())
+        if number == 0:
+            self._click(down)
+
+    def _click(self, down: bool) -> None:
+        """Left button: tell on_click if it is released where it was pressed, within two pixels."""
+        (x, y), pressed = self._at(), self.pressed
+        self.pressed = (x, y) if down else None
+        window, picture = self.window, self.window.shown
+        if down or pressed is None or picture is None or max(abs(x - pressed[0]), abs(y - pressed[1])) > 2:
+            return
+        if self.display.on_click is not None and window.ident in self.loop.windows:
+            width, height = self.glfw.get_window_size(self.handle)
+            rows, columns = picture.shape[:2]
+            self.display.on_click(window, x * columns // max(width, 1), y * rows // max(height, 1))
 
     def _moved(self, handle: Any, x: float, y: float) -> None:
-        self._fire("Motion" if self.buttons else "PassiveMotion", int(x), int(y))
+        self.pointer = int(x), int(y)
+        self._fire("Motion" if self.buttons else "PassiveMotion", *self.pointer)
 
     def _scrolled(self, handle: Any, dx: float, dy: float) -> None:
         if "MouseWheel" in self.window.callbacks:
@@ -235,9 +255,10 @@ class Shown:
             self._fire("Mouse", WHEEL_UP if dy > 0 else WHEEL_DOWN, int(NAMES[state]), *self._at())
 
 
-def open_windows(loop: Loop) -> Display:
-    """Show the windows of ``loop`` on the screen.  Raises RuntimeError if there is no glfw or no display."""
-    display = Display(loop)
+def open_windows(loop: Loop, on_click: Callable[[Window, int, int], Any] | None = None) -> Display:
+    """Show the windows of ``loop`` on the screen.  on_click: see Display.  Raises RuntimeError if there is no glfw or
+    no display."""
+    display = Display(loop, on_click)
     loop.clock = display
     loop.tick = 0.0
     return display

@@ -52,16 +52,16 @@ class StepClock:
     PATIENCE = 10_000
 
     def __init__(self) -> None:
-        self.milliseconds, self.looks = 0.0, 0
+        self.milliseconds, self.readings = 0.0, 0
 
     def now(self) -> float:
-        self.looks += 1
-        if self.looks > self.PATIENCE:
+        self.readings += 1
+        if self.readings > self.PATIENCE:
             self.milliseconds += 1.0
         return self.milliseconds
 
     def advance(self, milliseconds: float) -> None:
-        self.milliseconds, self.looks = self.milliseconds + milliseconds, 0
+        self.milliseconds, self.readings = self.milliseconds + milliseconds, 0
 
 
 class FinishedError(BaseException):

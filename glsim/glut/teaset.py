@@ -16,7 +16,7 @@ import numpy as np
 from glsim import gl
 from glsim.glut import shapes
 from glsim.glut.shapes import MEMORY, Array, Shape, geometry, length, rows
-from glsim.machine.kept import kept
+from glsim.machine.cache import cached
 
 
 class Vessel(NamedTuple):
@@ -91,7 +91,7 @@ def _copies(grid: Array, copies: int) -> list[Array]:
     return [np.stack(turned, axis=-1) for turned in ((x, y, z), (z, y, -x), (-x, y, -z), (-z, y, x))]
 
 
-@kept(MEMORY)
+@cached(MEMORY)
 def _tea(name: str, size: float, wire: bool) -> Shape:
     """Solid: 7 x 7 quads for each patch, in two triangles each; wire: 10 x 10 line strips."""
     vessel, n = VESSELS[name], 10 if wire else 8

@@ -42,6 +42,7 @@ class Window:
         self.dirty = True
         self.hidden = False
         self.shown: Pixels | None = None
+        self.swapped = False  # whether the program ever swapped its buffers
         self.menus: dict[int, int] = {}  # button -> menu
         self.cursor = NAMES["GLUT_CURSOR_INHERIT"]
         self.data: Any = None

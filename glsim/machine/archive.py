@@ -48,6 +48,7 @@ from glsim.machine.texture import BASE_FORMATS, Image, Images, Sampler, Texture
 MOST_BYTES = 1 << 30  # of a file
 LARGEST_PICTURE = 16384
 VERSION = 1
+CONTAINERS = (Union, types.UnionType, tuple, list, dict)  # types that are made of others
 
 # What is written field by field.
 RECORDS: dict[str, type] = {
@@ -231,15 +232,17 @@ def _builder(record: type) -> Callable[..., Any]:
     hints = get_type_hints(record)
     names = _fields(record)
     declared = [hints[name] for name in names]
+    tests = [_test_of(hint) for hint in declared]
     defaults = getattr(record, "_field_defaults", {})
     lengths = [len(d) if isinstance(d := defaults.get(name), tuple) else None for name in names]
     check = CHECKS.get(record.__name__, lambda made: None)
 
     def build(*items: Any) -> Any:
         expect(len(items) == len(names), f"{record.__name__} has {len(names)} fields")
-        for name, value, hint, length in zip(names, items, declared, lengths, strict=True):
+        for name, value, hint, test, length in zip(names, items, declared, tests, lengths, strict=True):
             whole = length is None or len(value) == length
-            expect(fits(value, hint) and whole, f"{record.__name__}.{name} is of the type {hint}")
+            if not (whole and test(value)):
+                expect(False, f"{record.__name__}.{name} is of the type {hint}")
         made = record(*items)
         check(made)
         return made
@@ -249,22 +252,33 @@ def _builder(record: type) -> Callable[..., Any]:
 
 def fits(value: Any, hint: Any) -> bool:
     """Whether a value is of a type as annotations write it."""
+    return _test_of(hint)(value)
+
+
+@cache
+def _test_of(hint: Any) -> Callable[[Any], bool]:
+    """A function (value) -> whether it is of the type ``hint``; a Frame asks it for each of its thousands of fields."""
     if hint is Any:
-        return True
+        return lambda value: True
     if hint is float:
-        return isinstance(value, (int, float))
+        return lambda value: isinstance(value, (int, float))
     origin, inner = get_origin(hint), get_args(hint)
+    tests = [_test_of(one) for one in inner if one is not Ellipsis] if origin in CONTAINERS else []
     if origin in (Union, types.UnionType):
-        return any(fits(value, one) for one in inner)
-    if origin is tuple and isinstance(value, tuple):
-        if inner[-1] is Ellipsis:
-            return all(fits(item, inner[0]) for item in value)
-        return len(value) == len(inner) and all(map(fits, value, inner))
-    if origin is list and isinstance(value, list):
-        return all(fits(item, inner[0]) for item in value)
-    if origin is dict and isinstance(value, dict):
-        return all(fits(key, inner[0]) and fits(item, inner[1]) for key, item in value.items())
-    return isinstance(value, hint if origin is None else origin)
+        return lambda value: any(test(value) for test in tests)
+    if origin is tuple and inner[-1] is not Ellipsis:
+        return lambda value: (
+            isinstance(value, tuple)
+            and len(value) == len(tests)
+            and all(test(item) for test, item in zip(tests, value, strict=True))
+        )
+    if origin in (tuple, list):
+        return lambda value: isinstance(value, origin) and all(map(tests[0], value))
+    if origin is dict:
+        return lambda value: (
+            isinstance(value, dict) and all(map(tests[0], value)) and all(map(tests[1], value.values()))
+        )
+    return lambda value: isinstance(value, hint if origin is None else origin)
 
 
 # ---------------------------------------------------------------- shapes that the renderer relies on

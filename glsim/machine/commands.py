@@ -91,8 +91,8 @@ _ARRAY = "size:i type:enum stride:sizei pointer:data"
 _IMAGE = "format:enum type:enum pixels:data"
 
 
-def _rows() -> Iterator[Iterator[Command]]:
-    # 2.6 Begin/End paradigm, 2.7 vertex specification
+def _vertices() -> Iterator[Iterator[Command]]:
+    """Sections 2.6 and 2.7: Begin/End, vertex specification."""
     yield _command("glBegin", "mode:enum", inside=True)  # inside: it reports the nesting itself
     yield _command("glEnd", inside=True)
     yield _components("glVertex", "2 3 4", "s i f d", "x y z w", inside=True)
@@ -105,7 +105,10 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _components("glIndex", "1", "s i f d ub", "c", inside=True)
     yield _command("glEdgeFlag", "flag:boolean", inside=True)
     yield _command("glEdgeFlagv", "flag:data", inside=True)
-    # 2.8 vertex arrays, 2.9 buffer objects
+
+
+def _arrays() -> Iterator[Iterator[Command]]:
+    """Sections 2.8 and 2.9: vertex arrays, buffer objects."""
     for array in ("glVertexPointer", "glColorPointer", "glTexCoordPointer", "glSecondaryColorPointer"):
         yield _command(array, _ARRAY, listed=False)
     for array in ("glNormalPointer", "glIndexPointer", "glFogCoordPointer"):
@@ -132,11 +135,13 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command("glIsBuffer", "buffer:ui", listed=False, result="boolean")
     yield _get("glGetBufferParameter", "i", "target:enum pname:enum")
     yield _command("glGetBufferPointerv", "target:enum pname:enum", listed=False, result="data")
-    # 2.10 rectangles
+
+
+def _transformations() -> Iterator[Iterator[Command]]:
+    """Sections 2.10 to 2.13: rectangles, coordinate transformations, clipping, the current raster position."""
     yield _numbers("glRect", "s i f d", "x1 y1 x2 y2")
     for kind in ("s", "i", "f", "d"):
         yield iter((Command(f"glRect{kind}v", "glRect", (("v1", "data"), ("v2", "data")), kind, 2, True),))
-    # 2.11 coordinate transformations
     yield _command("glDepthRange", "zNear:d zFar:d")
     yield _command("glViewport", "x:i y:i width:sizei height:sizei")
     yield _command("glMatrixMode", "mode:enum")
@@ -156,17 +161,22 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command("glDisable", "cap:enum")
     yield _parameter("glTexGen", "i f d", "coord:enum pname:enum")
     yield _command("glClipPlane", "plane:enum equation:data", type="d", size=4)
-    # 2.13 current raster position
     yield _components("glRasterPos", "2 3 4", "s i f d", "x y z w")
     yield _components("glWindowPos", "2 3", "s i f d", "x y z")
-    # 2.14 colours and colouring
+
+
+def _lighting() -> Iterator[Iterator[Command]]:
+    """Section 2.14: colours and colouring."""
     yield _command("glFrontFace", "mode:enum")
     yield _parameter("glMaterial", "f i", "face:enum pname:enum", inside=True)
     yield _parameter("glLight", "f i", "light:enum pname:enum")
     yield _parameter("glLightModel", "f i", "pname:enum")
     yield _command("glColorMaterial", "face:enum mode:enum")
     yield _command("glShadeModel", "mode:enum")
-    # 3 rasterization
+
+
+def _rasterization() -> Iterator[Iterator[Command]]:
+    """Sections 3.1 to 3.7: points, lines, polygons, pixel rectangles, bitmaps."""
     yield _command("glPointSize", "size")
     yield _parameter("glPointParameter", "f i", "pname:enum")
     yield _command("glLineWidth", "width")
@@ -184,6 +194,10 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command("glDrawPixels", f"width:sizei height:sizei {_IMAGE}")
     yield _command("glPixelZoom", "zx zy")
     yield _command("glBitmap", "width:sizei height:sizei xbo ybo xbi ybi data:data")
+
+
+def _textures() -> Iterator[Iterator[Command]]:
+    """Sections 3.8 to 3.10: textures, fog."""
     yield _command("glTexImage1D", f"target:enum level:i internalformat:i width:sizei border:i {_IMAGE}")
     yield _command("glTexImage2D", f"target:enum level:i internalformat:i width:sizei height:sizei border:i {_IMAGE}")
     yield _command(
@@ -221,7 +235,10 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command("glPrioritizeTextures", "n:sizei textures:data priorities:data")
     yield _parameter("glTexEnv", "f i", "target:enum pname:enum")
     yield _parameter("glFog", "f i", "pname:enum")
-    # 4 per-fragment operations and the framebuffer
+
+
+def _framebuffer() -> Iterator[Iterator[Command]]:
+    """Section 4: per-fragment operations and the framebuffer."""
     yield _command("glScissor", "x:i y:i width:sizei height:sizei")
     yield _command("glSampleCoverage", "value invert:boolean")
     yield _command("glAlphaFunc", "func:enum ref")
@@ -252,7 +269,10 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command("glReadPixels", f"x:i y:i width:sizei height:sizei {_IMAGE}", listed=False, result="data")
     yield _command("glReadBuffer", "src:enum")
     yield _command("glCopyPixels", "x:i y:i width:sizei height:sizei type:enum")
-    # 5 evaluators, selection, feedback, display lists, flush, hints
+
+
+def _special() -> Iterator[Iterator[Command]]:
+    """Section 5: evaluators, selection, feedback, display lists, flush, hints."""
     for kind in ("f", "d"):
         yield _command(f"glMap1{kind}", f"target:enum u1:{kind} u2:{kind} stride:i order:i points:data", type=kind)
         yield _command(
@@ -285,7 +305,10 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command("glFlush", listed=False)
     yield _command("glFinish", listed=False)
     yield _command("glHint", "target:enum hint:enum")
-    # 6 state and state requests
+
+
+def _queries() -> Iterator[Iterator[Command]]:
+    """Section 6: state and state requests."""
     for kind in ("Boolean", "Integer", "Float", "Double"):
         name = f"glGet{kind}"
         yield iter(
@@ -318,7 +341,10 @@ def _rows() -> Iterator[Iterator[Command]]:
     yield _command("glPopClientAttrib", listed=False)
 
 
-COMMANDS: dict[str, Command] = {command.name: command for row in _rows() for command in row}
+_TOPICS = (
+    _vertices, _arrays, _transformations, _lighting, _rasterization, _textures, _framebuffer, _special, _queries,
+)  # fmt: skip
+COMMANDS: dict[str, Command] = {command.name: command for topic in _TOPICS for row in topic() for command in row}
 FAMILIES: dict[str, list[Command]] = {}
 for _row in COMMANDS.values():
     FAMILIES.setdefault(_row.family, []).append(_row)

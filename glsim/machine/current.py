@@ -7,10 +7,10 @@ each call on to a copy of the command that belongs to the calling thread: a func
 
     def glNormal3f(nx, ny, nz):        # in immediate.py, whose globals are the dict G
         m = current                    # one thread: G["current"] is its machine, and this is all that is paid
-    mine = FunctionType(glNormal3f.__code__, {**G, "current": my_machine})  # Place.command("glNormal3f")
-    mine(0, 0, 1)                      # the same code, which finds my_machine under the name ``current``
+    copy = FunctionType(glNormal3f.__code__, {**G, "current": my_machine})  # ThreadState.command("glNormal3f")
+    copy(0, 0, 1)                      # the same code, which finds my_machine under the name ``current``
     glNormal3f(0, 0, 1)                # several threads: G["current"] is the Router.  It has a recorder, so the command
-                                       # calls Router.recorder("glNormal3f", (0, 0, 1)), and that calls mine(0, 0, 1)
+                                       # calls Router.recorder("glNormal3f", (0, 0, 1)), and that calls copy(0, 0, 1)
 """
 
 from __future__ import annotations
@@ -45,17 +45,17 @@ class NoMachine:
         raise NoContextError(self.__dict__["sentence"])
 
 
-class Place:
+class ThreadState:
     """The machine that is current in one thread, and this thread's copies of the commands.
 
     Python deletes the object when the thread ends.
     """
 
     def __init__(self) -> None:
-        self.machine: Any = _nobody
+        self.machine: Any = _no_machine
         self.namespace: dict[str, Any] = {}
         self.commands: dict[str, Callable[..., Any]] = {}
-        weakref.finalize(self, _vacate, id(self)).atexit = False
+        weakref.finalize(self, _thread_ended, id(self)).atexit = False
 
     def command(self, name: str) -> Callable[..., Any]:
         """The thread's own copy of a command."""
@@ -69,9 +69,9 @@ class Place:
         return self.commands[name]
 
 
-class _Here(threading.local):
+class _Local(threading.local):
     def __init__(self) -> None:
-        self.place = Place()
+        self.state = ThreadState()
 
 
 class Router:
@@ -80,25 +80,25 @@ class Router:
     busy = True  # so that each command comes here
 
     def recorder(self, name: str, arguments: tuple[Any, ...]) -> Any:
-        return _here.place.command(name)(*arguments)
+        return _local.state.command(name)(*arguments)
 
     intercept = recorder
 
 
-_nobody: Any = NoMachine()
+_no_machine: Any = NoMachine()
 _namespace: dict[str, Any] = {}  # the globals of the commands
-_holders: dict[int, Any] = {}  # id of a thread's Place -> the machine that is current in the thread
+_machines: dict[int, Any] = {}  # id of a ThreadState -> the machine that is current in the thread
 _lock = threading.RLock()
 
 
-def here() -> Place:
-    """The calling thread's place."""
-    return _here.place
+def this_thread() -> ThreadState:
+    """The calling thread's state."""
+    return _local.state
 
 
 def current_machine() -> Machine:
     """The machine that this thread's gl commands drive now (or the stand-in that raises NoContextError)."""
-    return _here.place.machine  # type: ignore[no-any-return]
+    return _local.state.machine  # type: ignore[no-any-return]
 
 
 def make_current(machine: Machine | None) -> None:
@@ -140,44 +140,44 @@ def attach(namespace: dict[str, Any]) -> None:
 
 
 def _switch(machine: Any) -> None:
-    place = _here.place
+    state = _local.state
     with _lock:
         if machine is None or isinstance(machine, NoMachine):
-            place.machine = _nobody
-            _holders.pop(id(place), None)
+            state.machine = _no_machine
+            _machines.pop(id(state), None)
         else:
-            if machine.thread != threading.get_ident() and machine in _holders.values():
+            if machine.thread != threading.get_ident() and machine in _machines.values():
                 raise RuntimeError(
                     "this context is current in another thread: open one for this thread, with glsim.offscreen"
                 )
             machine.thread = threading.get_ident()
-            place.machine = _holders[id(place)] = machine
-        place.namespace["current"] = place.machine
+            state.machine = _machines[id(state)] = machine
+        state.namespace["current"] = state.machine
         _choose()
 
 
 def _choose() -> None:
     """Set the global ``current``: the NoMachine, the machine if only one thread has one, or the Router."""
-    machines = list(_holders.values())
-    _namespace["current"] = _nobody if not machines else machines[0] if len(machines) == 1 else _router
+    machines = list(_machines.values())
+    _namespace["current"] = _no_machine if not machines else machines[0] if len(machines) == 1 else _router
 
 
-def _vacate(place: int) -> None:
-    """A thread has ended."""
+def _thread_ended(state: int) -> None:
+    """A thread has ended.  state: the id of its ThreadState."""
     with _lock:
-        _holders.pop(place, None)
+        _machines.pop(state, None)
         _choose()
 
 
 def forget(sentence: str) -> None:
     """Forget the current machine of every thread: each gl command now raises NoContextError(sentence)."""
-    global _nobody
-    _nobody = NoMachine(sentence)
-    _holders.clear()
+    global _no_machine
+    _no_machine = NoMachine(sentence)
+    _machines.clear()
     _switch(None)
 
 
 _router = Router()
-_here = _Here()
+_local = _Local()
 if hasattr(os, "register_at_fork"):  # no other thread is switching while the process is copied
     os.register_at_fork(before=_lock.acquire, after_in_parent=_lock.release, after_in_child=_lock.release)

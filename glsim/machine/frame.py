@@ -210,6 +210,7 @@ class Frame:
 
     If calls were recorded: ``calls`` they came from, and ``history``, the state at the beginning (call -1) and after
     each call that changed it.  ``error``: the sentence of the error that ended the program, ``error_at`` its line.
+    ``unswapped``: it was drawn in a window with two buffers, which were never swapped.
     """
 
     width: int
@@ -219,6 +220,7 @@ class Frame:
     history: list[Moment] = field(default_factory=list)
     error: str = ""
     error_at: Where | None = None
+    unswapped: bool = False
 
     def __repr__(self) -> str:
         counts = f"{len(self.packets)} packets, {len(list(self.draws))} draws, {len(self.calls)} calls"

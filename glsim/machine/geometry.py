@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from glsim.machine import constants as gl
 from glsim.machine.assembly import PLAIN, corners, primitives
 from glsim.machine.current import driving
-from glsim.machine.errors import out_of_memory
+from glsim.machine.device import NoDevice
 from glsim.machine.frame import Draw, Vertices
 from glsim.machine.machine import REGISTERS, Machine
 from glsim.machine.record import implementations
@@ -20,13 +20,6 @@ from glsim.machine.record import implementations
 NAN = float("nan")
 MOST_VARIANTS = 16
 AnyCall = tuple[str, tuple[Any, ...]]
-
-
-class _NoDevice:
-    width = height = 1
-
-    def check(self) -> None:
-        raise out_of_memory("so many vertices are drawn each time that the list is called, not kept")
 
 
 class Geometry:
@@ -101,8 +94,8 @@ class Geometry:
             (m.red, m.green, m.blue, m.alpha) if self.takes_color else None,
             tuple(current[name] for name in self.no_column) if current else None,
         )
-        found = self.variants.get(key)
-        if found is None:
+        variant = self.variants.get(key)
+        if variant is None:
             if len(self.variants) >= MOST_VARIANTS:
                 self.variants.clear()
             rows = self.vertices.rows.copy()
@@ -111,8 +104,8 @@ class Geometry:
             columns = dict(self.vertices.columns)
             for name, missing in self.no_column.items() if current else ():
                 columns[name] = np.where(missing[:, None], np.array(current[name], np.float32), columns[name])
-            found = self.variants[key] = Vertices(rows, columns, [], static=True)
-        return found
+            variant = self.variants[key] = Vertices(rows, columns, [], static=True)
+        return variant
 
 
 def _indices(draw: Draw) -> NDArray[np.uint32]:
@@ -123,7 +116,7 @@ def _indices(draw: Draw) -> NDArray[np.uint32]:
 
 def _execute(calls: Sequence[AnyCall], clients: dict[int, dict[Any, Any]], first: int) -> Machine:
     """Run the calls on a new machine whose current normal, colour, texture coordinates, ... are NaN; return it."""
-    scratch = Machine(_NoDevice())  # type: ignore[arg-type]
+    scratch = Machine(NoDevice())
     scratch.nx = scratch.ny = scratch.nz = scratch.red = scratch.green = scratch.blue = scratch.alpha = NAN
     scratch.tracks = {name: [(0, (NAN,) * len(track[0][1]))] for name, track in scratch.tracks.items()}
     scratch.texcoord = scratch.tracks["texcoord0"]

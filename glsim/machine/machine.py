@@ -9,12 +9,13 @@ from __future__ import annotations
 import io
 from _thread import get_ident
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glsim.machine.constants import GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE
+from glsim.machine.device import Device
 from glsim.machine.errors import NoContextError, invalid_operation
 from glsim.machine.frame import ROW, ROW_BYTES, Draw, Matrices, Packet, Vertices
 from glsim.machine.holdings import Objects, PixelStores, Rendering, VertexArrays
@@ -45,6 +46,7 @@ from glsim.machine.state import (
     Viewport,
     take_groups,
 )
+from glsim.machine.tracks import INITIAL_VALUES, Track, column_of
 
 # The machine flushes by itself when vertices and images of the packets take more than LARGE bytes, or when there are
 # more than MANY packets: so a program that never calls glFlush does not run out of memory.
@@ -60,44 +62,6 @@ STACK_DEPTH: dict[int, int] = {GL_MODELVIEW: 64, GL_PROJECTION: 32, GL_TEXTURE: 
 
 # Current values that glVertex writes beside the position.
 REGISTERS = ("nx", "ny", "nz", "red", "green", "blue", "alpha")
-
-
-class Device(Protocol):
-    """What the machine needs of whatever draws its frames."""
-
-    width: int
-    height: int
-
-    def check(self) -> None:
-        """Raise an exception if it cannot draw now, in this thread; ``flush`` calls it before it takes the packets."""
-
-    def execute(self, packets: list[Packet]) -> None: ...
-
-    def finish(self) -> None: ...
-
-    def read(self, x: int, y: int, width: int, height: int, what: str) -> NDArray[Any]: ...
-
-    def describe(self) -> dict[str, Any]: ...
-
-
-# The values of an attribute that few programs change from vertex to vertex: pairs (byte position in the stream, value).
-# A value holds for the vertices from its position to the next pair's.
-Track = list[tuple[int, tuple[float, ...]]]
-INITIAL: dict[str, tuple[float, ...]] = {
-    **{f"texcoord{unit}": (0.0, 0.0, 0.0, 1.0) for unit in range(TEXTURE_UNITS)},
-    "secondary_color": (0.0, 0.0, 0.0, 1.0),
-    "fog_coord": (0.0,),
-    "edge_flag": (1.0,),
-}
-
-
-def _column(track: Track, count: int) -> NDArray[np.float32]:
-    """A track as a column: (count, width), or (1, width) if it never changed."""
-    if len(track) == 1:
-        return np.array([track[0][1]], np.float32)
-    positions = np.array([position for position, _ in track]) // ROW_BYTES
-    values = np.array([value for _, value in track], np.float32)
-    return np.repeat(values, np.diff(np.append(positions, count)), axis=0)
 
 
 def _ignore(row: bytes) -> int:
@@ -145,35 +109,9 @@ class Machine:
         A Frame that is being captured, and a Recorder, begin anew.
         """
         recorder: Any = self.recorder
-        # current values, section 2.7
-        self.nx, self.ny, self.nz = 0.0, 0.0, 1.0
-        self.red = self.green = self.blue = self.alpha = 1.0
-        self.index = 1.0
-        self.tracks: dict[str, Track] = {name: [(0, value)] for name, value in INITIAL.items()}
-        # groups
-        self.lighting = Lighting()
-        self.transform = Transform()
-        self.viewport = Viewport(0, 0, self.device.width, self.device.height)
-        self.point = Point()
-        self.line = Line()
-        self.polygon = Polygon()
-        self.polygon_stipple = PolygonStipple()
-        self.texture = Texturing()
-        self.fog = Fog()
-        self.depth = Depth()
-        self.stencil = Stencil()
-        self.color_buffer = ColorBuffer()
-        self.scissor = Scissor(False, 0, 0, self.device.width, self.device.height)
-        self.multisample = Multisample()
-        self.material = Material()
-        self.hints: dict[int, int] = {}
-        self.raster = RasterPosition()
-        self.pixel = PixelMode()
-        self.accum_clear: Color = (0.0, 0.0, 0.0, 0.0)
-        self.evaluators = Evaluators()
-        self.list_base = 0
-        self.attrib_stack: list[Any] = []
-        self.client_attrib_stack: list[Any] = []
+        self._reset_current_values()
+        self._reset_groups()
+        self._reset_matrices()
         # by topic
         self.client = VertexArrays()
         self.stores = PixelStores()
@@ -181,17 +119,6 @@ class Machine:
         self.rendering = Rendering()
         self.compiling: Any = None  # the ListRecorder between glNewList and glEndList
         self.nesting = 0  # lists that are being called
-        self.latest = Snapshot._make(take_groups(self))
-        # matrices
-        self.modelview, self.projection = [identity()], [identity()]
-        self.texture_stacks = [[identity()] for _ in range(TEXTURE_UNITS)]
-        self.several_texture_matrices = False  # whether a program ever chose the matrix of another unit
-        self.stacks: dict[int, list[Matrix]] = {
-            GL_MODELVIEW: self.modelview,
-            GL_PROJECTION: self.projection,
-            GL_TEXTURE: self.texture_stacks[0],  # of the active unit
-        }
-        self.stack = self.modelview
         # vertices and packets since the last flush
         self.inside: int | None = None
         self.recorder = None
@@ -207,6 +134,53 @@ class Machine:
             recorder.restart()
             self.record(recorder)
 
+    def _reset_current_values(self) -> None:
+        """Section 2.7."""
+        self.nx, self.ny, self.nz = 0.0, 0.0, 1.0
+        self.red = self.green = self.blue = self.alpha = 1.0
+        self.index = 1.0
+        self.tracks: dict[str, Track] = {name: [(0, value)] for name, value in INITIAL_VALUES.items()}
+
+    def _reset_groups(self) -> None:
+        """The groups of state.py, and what glPushAttrib saved of them."""
+        width, height = self.device.width, self.device.height
+        self.lighting = Lighting()
+        self.transform = Transform()
+        self.viewport = Viewport(0, 0, width, height)
+        self.point = Point()
+        self.line = Line()
+        self.polygon = Polygon()
+        self.polygon_stipple = PolygonStipple()
+        self.texture = Texturing()
+        self.fog = Fog()
+        self.depth = Depth()
+        self.stencil = Stencil()
+        self.color_buffer = ColorBuffer()
+        self.scissor = Scissor(False, 0, 0, width, height)
+        self.multisample = Multisample()
+        self.latest = Snapshot._make(take_groups(self))
+        self.material = Material()
+        self.hints: dict[int, int] = {}
+        self.raster = RasterPosition()
+        self.pixel = PixelMode()
+        self.accum_clear: Color = (0.0, 0.0, 0.0, 0.0)
+        self.evaluators = Evaluators()
+        self.list_base = 0
+        self.attrib_stack: list[Any] = []
+        self.client_attrib_stack: list[Any] = []
+
+    def _reset_matrices(self) -> None:
+        """Section 2.11.2: a stack for each, with the identity on it."""
+        self.modelview, self.projection = [identity()], [identity()]
+        self.texture_stacks = [[identity()] for _ in range(TEXTURE_UNITS)]
+        self.several_texture_matrices = False  # whether a program ever chose the matrix of another unit
+        self.stacks: dict[int, list[Matrix]] = {
+            GL_MODELVIEW: self.modelview,
+            GL_PROJECTION: self.projection,
+            GL_TEXTURE: self.texture_stacks[0],  # of the active unit
+        }
+        self.stack = self.modelview
+
     def _new_stream(self) -> None:
         self.stream = io.BytesIO()
         self.materials: list[tuple[int, Material]] = []
@@ -216,13 +190,13 @@ class Machine:
         self.write: Callable[[bytes], int] = _ignore
 
     def _drop_tracks(self) -> None:
-        """Drop the vertices of the stream; set the current values that are in INITIAL to their initial values."""
-        self.tracks = {name: [(0, value)] for name, value in INITIAL.items()}
+        """Drop the vertices of the stream, and give the current values of the tracks their initial values."""
+        self.tracks = {name: [(0, value)] for name, value in INITIAL_VALUES.items()}
         self._new_stream()
 
     @property
     def current(self) -> dict[str, tuple[float, ...]]:
-        """Current values of the attributes in INITIAL."""
+        """Current values of the attributes that have tracks."""
         return {name: track[-1][1] for name, track in self.tracks.items()}
 
     @current.setter
@@ -335,7 +309,7 @@ class Machine:
     def take_vertices(self) -> Vertices:
         """What the stream holds, as arrays; the stream begins anew."""
         rows = np.frombuffer(self.stream.getbuffer(), np.float32).reshape(-1, ROW)
-        columns = {name: _column(track, len(rows)) for name, track in self.tracks.items()}
+        columns = {name: column_of(track, len(rows)) for name, track in self.tracks.items()}
         for name, first, values in self.columns:
             if name not in columns or len(columns[name]) != len(rows):
                 start = columns.get(name, np.ones((1, 1), np.float32))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import sys
 from collections.abc import Callable
@@ -26,10 +27,13 @@ new_call: Callable[..., Call] = tuple.__new__  # twice as fast as the constructo
 
 
 class Recorder:
-    """Notes each call, with the user's line and what it changed, and executes it."""
+    """Notes each call, with the user's line and what it changed, and executes it.
 
-    def __init__(self, machine: Machine, frame: Frame) -> None:
+    most: after so many calls it gives up: the frame is emptied, and recording costs nothing any more."""
+
+    def __init__(self, machine: Machine, frame: Frame, most: float = math.inf) -> None:
         self.machine, self.calls, self.history = machine, frame.calls, frame.history
+        self.frame, self.most = frame, most
         self.lines: dict[tuple[Any, int], Where] = {}  # of the user's program, by code and line
         if not self.history:
             self.history.append(moment(machine, len(self.calls) - 1))
@@ -40,10 +44,12 @@ class Recorder:
         self.history[:] = [moment(self.machine, -1)]
 
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
+        if len(self.calls) >= self.most:
+            return self._give_up(name, arguments)
         if name in HOT:
             return self._hot(name, arguments)
         machine = self.machine
-        self.note(name, kept(name, arguments))
+        self.note(name, frozen_arguments(name, arguments))
         packets, first = machine.packets, len(machine.packets)
         machine.recorder, machine.busy = None, machine.inside is not None
         try:
@@ -56,6 +62,16 @@ class Recorder:
             if name not in REGISTERS_ONLY:
                 self.changed(packets, first)
 
+    def _give_up(self, name: str, arguments: tuple[Any, ...]) -> Any:
+        machine = self.machine
+        for listed in (self.frame.calls, self.frame.history, self.frame.packets):
+            listed.clear()
+        self.most = 0  # if somebody makes it current again
+        machine.record(None)
+        if machine.outlet.frame is self.frame:
+            machine.outlet.frame = None
+        return implementations[name](*arguments)
+
     def _hot(self, name: str, arguments: tuple[Any, ...]) -> None:
         """A command of gl/immediate.py: called once a vertex, it changes no state."""
         caller = sys._getframe(3)
@@ -65,7 +81,7 @@ class Recorder:
             where = users_line(caller)
             if where is not None and where[:2] == (line[0].co_filename, line[1]):
                 self.lines[line] = where
-        arguments = kept(name, arguments)
+        arguments = frozen_arguments(name, arguments)
         self.calls.append(new_call(Call, (name, arguments, where)))
         machine = self.machine
         machine.recorder = None
@@ -75,7 +91,8 @@ class Recorder:
             machine.recorder = self
 
     def note(self, name: str, arguments: tuple[Any, ...]) -> None:
-        self.calls.append(Call(name, arguments, users_line(sys._getframe(2))))
+        if len(self.calls) < self.most:  # within a display list it goes on
+            self.calls.append(Call(name, arguments, users_line(sys._getframe(2))))
 
     def changed(self, packets: list[Packet], first: int) -> None:
         """After a call: append a Moment to the history if the state changed; write the call's number into new packets.
@@ -152,7 +169,7 @@ class ListRecorder:
         self.outer: Recorder | None = None
 
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
-        given, arguments = arguments, kept(name, arguments)
+        given, arguments = arguments, frozen_arguments(name, arguments)
         if self.outer is not None:
             self.outer.note(name, arguments)
         if name in NEVER_LISTED:
@@ -223,7 +240,7 @@ def with_indices(machine: Machine, name: str, arguments: tuple[Any, ...]) -> tup
 PLAIN = frozenset((int, float, bool, Enum))
 
 
-def kept(name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+def frozen_arguments(name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
     """Copies of the arguments that the program cannot change later."""
     if name in NUMBERS_ONLY and PLAIN.issuperset(map(type, arguments)):
         return arguments
@@ -235,9 +252,9 @@ def kept(name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
 
 def python_arguments(command: Command, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
     """The arguments of a call with Python's numbers instead of ctypes', and an array for a pointer of known length."""
-    given = tuple(map(plain, arguments))
-    wanted = [numbers_wanted(command, given, place) for place in range(min(len(command.arguments), len(given)))]
-    return (*map(plain, given, wanted), *given[len(wanted) :])
+    converted = tuple(map(plain, arguments))
+    wanted = [numbers_wanted(command, converted, place) for place in range(min(len(command.arguments), len(converted)))]
+    return (*map(plain, converted, wanted), *converted[len(wanted) :])
 
 
 def frozen(argument: Any) -> Any:

@@ -29,14 +29,14 @@ def explain(error: Exception, name: str, arguments: Sequence[Any], kinds: Kinds 
     kinds: name and kind of each argument, of a function that has no row in the command table.  What the program itself
     raised, in a callback or in an object's __float__, stays as it is.
     """
-    if _of_the_program(error):
+    if _raised_by_program(error):
         return error
     if isinstance(error, GLError):
         return error.during(name, arguments) if kinds is None else error.within(name, arguments)
     if isinstance(error, MemoryError):
         return out_of_memory("there is not enough memory for it").during(name, arguments)
-    said = is_a_sentence(error)
-    if said and not isinstance(error, TypeError):
+    has_sentence = is_a_sentence(error)
+    if has_sentence and not isinstance(error, TypeError):
         return _begun_with(name, error)
     command = COMMANDS[name] if kinds is None else None
     kinds = command.arguments if command else kinds or ()
@@ -45,12 +45,12 @@ def explain(error: Exception, name: str, arguments: Sequence[Any], kinds: Kinds 
         expected = _complaint(kind, value, count)
         if expected:
             return TypeError(f"{name}: {argument} must be {expected}, not {show(value)}")
-    if said:
+    if has_sentence:
         return _begun_with(name, error)
     given = ", ".join(f"{argument} = {show(value)}" for (argument, _), value in zip(kinds, arguments, strict=False))
-    made = TypeError(f"{name}: these arguments do not go together: {given}")
-    made.add_note(f"({type(error).__name__}: {error})")  # below the sentence, for who looks for a mistake in glsim
-    return made
+    unclear = TypeError(f"{name}: these arguments do not go together: {given}")
+    unclear.add_note(f"({type(error).__name__}: {error})")  # below the sentence, for who looks for a mistake in glsim
+    return unclear
 
 
 def explained(name: str, function: F) -> F:
@@ -61,10 +61,10 @@ def explained(name: str, function: F) -> F:
         try:
             return function(*arguments, **options)
         except Exception as error:
-            made = explain(error, name, arguments, _kinds_of(function, len(arguments)))
-            if made is error and _of_the_program(error):
+            explained_error = explain(error, name, arguments, _argument_kinds(function, len(arguments)))
+            if explained_error is error and _raised_by_program(error):
                 raise
-            raise made from None
+            raise explained_error from None
 
     return call  # type: ignore[return-value]
 
@@ -77,7 +77,7 @@ ANNOTATED = {
 MADE_BY = {kind: annotation for annotation, kind in ANNOTATED.items() if kind.startswith("glu")}
 
 
-def _kinds_of(function: Callable[..., Any], count: int) -> Kinds:
+def _argument_kinds(function: Callable[..., Any], count: int) -> Kinds:
     """Name and kind of each argument, from its annotation."""
     pairs: list[tuple[str, str]] = []
     for word, parameter in signature(function).parameters.items():
@@ -107,7 +107,7 @@ def _is_glsim(code: CodeType) -> bool:
     return code.co_filename.startswith((PACKAGE, "<gl command"))
 
 
-def _of_the_program(error: Exception) -> bool:
+def _raised_by_program(error: Exception) -> bool:
     """Whether the program's own code, called by glsim, raised it."""
     for frame, _ in walk_tb(error.__traceback__):
         file = frame.f_code.co_filename

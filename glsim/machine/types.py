@@ -33,6 +33,13 @@ DTYPES: dict[int, type] = {
     gl.GL_DOUBLE: np.float64,
 }
 
+C_TYPES: dict[str, Any] = {  # OpenGL's names of C's types (table 2.2)
+    "GLbyte": ctypes.c_byte, "GLshort": ctypes.c_short, "GLint": ctypes.c_int, "GLsizei": ctypes.c_int,
+    "GLubyte": ctypes.c_ubyte, "GLboolean": ctypes.c_ubyte, "GLushort": ctypes.c_ushort, "GLuint": ctypes.c_uint,
+    "GLenum": ctypes.c_uint, "GLbitfield": ctypes.c_uint, "GLfloat": ctypes.c_float, "GLclampf": ctypes.c_float,
+    "GLdouble": ctypes.c_double, "GLclampd": ctypes.c_double, "GLvoid": None,
+}  # fmt: skip
+
 _Number: Any = ctypes.c_int.__base__  # what c_int, c_float, ... have in common
 _Reference: Any = type(ctypes.byref(ctypes.c_int()))
 _Pointer: Any = ctypes.POINTER(ctypes.c_int).__base__

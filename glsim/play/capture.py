@@ -45,7 +45,8 @@ def program_source(stage: str | None = None) -> str:
 
     stage: "vertex" or "fragment"; None gives both, each under a comment line.  Raises ValueError for another stage.
     """
-    from glsim.render.programs import draw_key, sources
+    from glsim.render.key import draw_key
+    from glsim.render.programs import sources
 
     machine = current_machine()
     nothing = Vertices(np.empty((0, ROW), np.float32), {}, [])

@@ -5,14 +5,13 @@ from __future__ import annotations
 import os
 import tempfile
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from glsim.machine import archive
 from glsim.machine.frame import Frame, Where
 from glsim.play.capture import capture
-from glsim.scenes import Camera, Lamp, Scene, open_scene
+from glsim.scenes import Scene, open_scene
 from glsim.scenes.load import from_trimesh
 
 
@@ -80,35 +79,21 @@ def frame_of_program(
     return frame
 
 
-def drawer(
-    what: Any,
-    size: int,
-    lights: Sequence[Lamp] | None = None,
-    material: str | None = None,
-    camera: Camera | None = None,
-) -> tuple[str, Callable[[], None]]:
-    """The title of ``what``, and a function () that draws it at size x size pixels.
-
-    lights, material, camera: replace those of the scene; None keeps them."""
+def drawer(what: Any, size: int) -> tuple[str, Callable[[], object]]:
+    """The title of a drawing function or of what ``scene_from`` takes, and a function () that draws it at size x size
+    pixels."""
     if callable(what) and not isinstance(what, Scene):
-        if lights or material or camera:
-            raise ValueError("compare: a drawing function sets its own lights, material and camera")
         return getattr(what, "__name__", "drawing"), what
-    if isinstance(what, Scene):
-        scene = what
-    elif isinstance(what, (str, Path)):
-        scene = open_scene(what)
-    elif hasattr(what, "vertices") and hasattr(what, "faces"):
-        scene = Scene("mesh", from_trimesh([what], "the mesh"), two_sided=True)
-    else:
-        raise TypeError(f"a scene name, a file, a Scene, a mesh or a drawing function is needed, not {what!r}")
-    if lights is not None:
-        scene = replace(scene, lights=lights)
-    if camera is not None:
-        scene = replace(scene, camera=camera)
-    if material is not None:
-        from glsim.scenes import material as named
-
-        face = named(material)
-        scene = replace(scene, material=face, meshes=[replace(m, material=face, colors=None) for m in scene.meshes])
+    scene = scene_from(what)
     return scene.name, lambda: scene.draw(size, size)
+
+
+def scene_from(what: Any) -> Scene:
+    """A Scene (returned as it is), a built-in scene by name, a mesh file by path, or a trimesh.Trimesh as a Scene."""
+    if isinstance(what, Scene):
+        return what
+    if isinstance(what, (str, Path)):
+        return open_scene(what)
+    if hasattr(what, "vertices") and hasattr(what, "faces"):
+        return Scene("mesh", from_trimesh([what], "the mesh"), two_sided=True)
+    raise TypeError(f"a scene name, a file, a Scene, a mesh or a drawing function is needed, not {what!r}")

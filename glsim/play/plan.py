@@ -15,7 +15,9 @@ class Plan:
 
     out: folder for pictures, None for none.  frames: number of steps.  events: one for each step from the second on.
     real_time: the real clock; else time stands still in a step.  count: count the calls of each command.
-    python2: convert programs of Python 2.  capture_calls: record the calls in the captured Frame."""
+    python2: convert programs of Python 2.  capture_calls: record the calls in the captured Frame.  most_calls: capture
+    the first picture, not the last, and none if it takes more calls than that.  clicked: "module:function", called with
+    (Frame, x, y) when a pixel of a real window is clicked."""
 
     script: str
     arguments: list[str] = field(default_factory=list)
@@ -33,6 +35,8 @@ class Plan:
     stack: str | None = None  # a file for the program's Python stack at the time limit
     capture: str | None = None  # a file for the last picture's Frame
     capture_calls: bool = False
+    most_calls: int | None = None
+    clicked: str | None = None
 
 
 @dataclass

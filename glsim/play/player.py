@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import faulthandler
 import json
+import math
 import os
 import signal
 import sys
@@ -14,6 +15,7 @@ import time
 import traceback
 import types
 from dataclasses import asdict, replace
+from importlib import import_module
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from typing import Any
@@ -36,6 +38,8 @@ from glsim.render.context import Offscreen, offscreen
 
 MOST_ERRORS = 5  # a program that fails so often is stopped
 MOST_SCREENS = 16  # of glsim.offscreen whose pictures are kept
+MOST_VERTICES = 20  # of the first picture, for each of Plan.most_calls
+MOST_PACKETS = 1 << 15  # of a picture, that are kept for clicks
 PATIENCE = 1.0  # seconds between two pictures that are saved within one step
 
 
@@ -45,23 +49,23 @@ class Player:
     def __init__(self, plan: Plan) -> None:
         self.plan, self.record = plan, Record()
         self.display: Display | None = None
-        self.saved = -PATIENCE  # seconds, when a picture was saved last: the first swap is saved at once
+        self.last_save = -PATIENCE  # seconds: the first swap is saved at once
         self.frame: Frame | None = None  # what the first window draws, with plan.capture
         self.screens = 0  # that the program opened with glsim.offscreen
         self.unsaved_screens: dict[int, Offscreen] = {}
-        self.swapped = 0, 0  # lengths of self.frame.packets and .calls at the last swap
+        self.lengths_at_swap = 0, 0  # of self.frame.packets and .calls, at the last swap
         self.script = str(Path(plan.script).resolve())
 
     def play(self) -> Record:
         """Run the program to its end or to the last step."""
         plan = self.plan
-        self.display = open_windows(loop) if plan.window else None
+        self.display = open_windows(loop, self._clicked) if plan.window else None
         loop.events, loop.fixed_size = plan.events, plan.size
         loop.steps = None if plan.window and plan.frames == 1 else plan.frames
-        loop.on_swap = self._swapped
-        loop.on_open, loop.on_step, loop.on_error = self._opened, self._after_step, self._failed
+        loop.on_swap = self._on_swap
+        loop.on_open, loop.on_step, loop.on_error = self._on_open, self._on_step, self._on_error
         glsim.offscreen = self._offscreen
-        pyopengl.install(self._counted if plan.count else None)
+        pyopengl.install(self._counting if plan.count else None)
         try:
             self._execute()
             if loop.windows and loop.step == 0 and not self.record.errors:
@@ -76,7 +80,7 @@ class Player:
         try:
             code, python2 = compiled_program(Path(self.script).read_bytes(), self.script, self.plan.python2)
         except (SyntaxError, OSError, ValueError) as error:
-            self._failed("reading", error)
+            self._on_error("reading", error)
             return
         if python2:
             loop.text_keys = True
@@ -88,7 +92,7 @@ class Player:
             stand_ins = steady_time(lambda: clock.now() / 1000.0, lambda s: clock.advance(1000.0 * s), python2)
             repeatable_chance()
         if self.plan.count:
-            stand_ins |= pyopengl.counted_libraries(self._counted)
+            stand_ins |= pyopengl.counted_libraries(self._counting)
         toolkits.adopt(loop, self.plan.window)
         loader = ConvertingLoader if self.plan.python2 else SourceFileLoader
         OwnImports(os.path.dirname(self.script), stand_ins, loader).install()
@@ -103,7 +107,7 @@ class Player:
             if leaving.code not in (None, 0):
                 print(leaving.code, file=sys.stderr)
         except Exception as error:
-            self._failed("script", error)
+            self._on_error("script", error)
 
     # ------------------------------------------------------------ programs that draw into glsim.offscreen
 
@@ -136,19 +140,19 @@ class Player:
 
     # ------------------------------------------------------------ what the loop reports
 
-    def _counted(self, name: str, function: Any) -> Any:
+    def _counting(self, name: str, function: Any) -> Any:
         calls = self.record.calls
 
-        def counting(*arguments: Any, **named: Any) -> Any:
+        def counted(*arguments: Any, **named: Any) -> Any:
             calls[name] = calls.get(name, 0) + 1
             return function(*arguments, **named)
 
-        return counting
+        return counted
 
-    def _failed(self, where: str, error: Exception) -> None:
+    def _on_error(self, where: str, error: Exception) -> None:
         """An exception of the script, shown as the script's own, with its line."""
         hint = hint_for(error)
-        frames = [f for f in traceback.extract_tb(error.__traceback__) if not _is_ours(f.filename)]
+        frames = [f for f in traceback.extract_tb(error.__traceback__) if not _is_glsims(f.filename)]
         print("".join(["Traceback (most recent call last):\n", *traceback.format_list(frames),
                        *traceback.format_exception_only(error)]), file=sys.stderr, end="")  # fmt: skip
         if hint:
@@ -160,7 +164,7 @@ class Player:
         if len(self.record.errors) >= MOST_ERRORS:
             loop.left = True
 
-    def _opened(self, window: Window) -> None:
+    def _on_open(self, window: Window) -> None:
         if len(loop.windows) == 1:
             self.frame = None  # drop the Frame of a glsim.offscreen screen: windows take precedence
         self._watch(window.screen, window.asked)
@@ -172,17 +176,20 @@ class Player:
         if self.plan.capture is not None and self.frame is None:
             self.frame = machine.outlet.frame = Frame(*size)
             if self.plan.capture_calls:
-                machine.record(Recorder(machine, self.frame))
+                most = math.inf if self.plan.most_calls is None else self.plan.most_calls
+                machine.record(Recorder(machine, self.frame, most))
+        elif self.plan.clicked is not None:
+            machine.outlet.frame = Frame(*size)
 
-    def _swapped(self, window: Window) -> None:
+    def _on_swap(self, window: Window) -> None:
         """Called at each buffer swap: saves the picture if the last was saved more than PATIENCE seconds ago, so that a
         step that never ends leaves pictures too.  Also notes how much of the Frame is visible."""
         if self.frame is not None and window.screen.machine.outlet.frame is self.frame:
             self.frame.packets[:] = needed(self.frame.packets)
-            self.swapped = len(self.frame.packets), len(self.frame.calls)
+            self.lengths_at_swap = len(self.frame.packets), len(self.frame.calls)
         now = time.monotonic()
-        if now - self.saved > PATIENCE:
-            self.saved = now
+        if now - self.last_save > PATIENCE:
+            self.last_save = now
             if self.plan.out is not None and window.shown is not None and window is next(iter(loop.windows.values())):
                 self._save_picture(window.shown, _name(loop.step, 1))
                 self.record.frames = max(self.record.frames, loop.step + 1)
@@ -196,20 +203,59 @@ class Player:
             print(f"glsim run: {sentence}", file=sys.stderr)
             self.record.errors.append({"kind": "gl-error", "where": "display", "line": None, "error": sentence})
 
-    def _after_step(self, played: Loop) -> None:
+    def _on_step(self, played: Loop) -> None:
         for order, window in enumerate(played.windows.values(), 1):
             self._check_ended(window)
             if self.plan.out is not None and window.shown is not None:
                 self._save_picture(window.shown, _name(played.step - 1, order))
-        self.saved = time.monotonic()
-        if self.frame is not None and played.step == max(played.steps or 1, 1 + len(played.events)):
+        self.last_save = time.monotonic()
+        first = self.plan.most_calls is not None
+        if self.frame is not None and played.step == (1 if first else max(played.steps or 1, 1 + len(played.events))):
             self._save_frame(self.frame)
+            if first:
+                self._stop_recording(self.frame)
+        if self.plan.clicked is not None:
+            for window in played.windows.values():
+                self._trim(window)
         if self.display is not None:
             self.display.after_step(played)
         self.record.frames = played.step
         self.record.notes += played.notes
         played.notes = []
         self._report()
+
+    def _stop_recording(self, frame: Frame) -> None:
+        """The first picture is done.  For clicks the packets are collected on; where recording was given up, the window
+        is drawn again for that."""
+        for window in loop.windows.values():
+            machine = window.screen.machine
+            if machine.outlet.frame is frame:
+                if isinstance(machine.recorder, Recorder):  # a display list may be open
+                    machine.record(None)
+                machine.outlet.frame = frame if self.plan.clicked is not None else None
+            elif machine.outlet.frame is None and self.plan.clicked is not None:
+                machine.outlet.frame, window.dirty = Frame(*window.asked), True
+        self.frame = None
+
+    # ------------------------------------------------------------ clicks
+
+    def _trim(self, window: Window) -> None:
+        """Keep only the packets of the picture that is shown; none if the program never clears its picture."""
+        frame = window.screen.machine.outlet.frame
+        if frame is not None and frame is not self.frame:
+            frame.packets[:] = needed(frame.packets)
+            if len(frame.packets) > MOST_PACKETS:
+                frame.packets.clear()
+
+    def _clicked(self, window: Window, x: int, y: int) -> None:
+        """A pixel of a real window was clicked: tell the function that the plan names."""
+        frame = window.screen.machine.outlet.frame
+        if self.plan.clicked is None or frame is None:
+            return
+        module, _, name = self.plan.clicked.partition(":")
+        flushed(window.screen)
+        shown = replace(frame, packets=needed(frame.packets), width=window.screen.width, height=window.screen.height)
+        getattr(import_module(module), name)(shown, x, y)
 
     def _save_picture(self, picture: Any, name: str) -> None:
         from PIL import Image
@@ -219,7 +265,7 @@ class Player:
         facts.add_text("Software", MADE_BY)
         image = Image.fromarray(picture)
         try:
-            write_atomically(Path(self.plan.out or ".") / name, lambda place: image.save(place, pnginfo=facts))
+            write_atomically(Path(self.plan.out or ".") / name, lambda path: image.save(path, pnginfo=facts))
         except OSError as error:  # the disk is full, say
             sentence = f"{name} cannot be written to {self.plan.out}: {error.strerror}"
             self.record.errors.append({"kind": "python-error", "where": "writing", "line": None, "error": sentence})
@@ -239,10 +285,14 @@ class Player:
             return
         if window is None:
             flushed(screen)
-        packets, calls = self.swapped if window and window.double and self.swapped[0] else (None, None)
+        packets, calls = self.lengths_at_swap if window and window.double and self.lengths_at_swap[0] else (None, None)
         frame.width, frame.height = screen.width, screen.height
-        shown = replace(frame, packets=needed(frame.packets[:packets]), calls=frame.calls[:calls])
-        archive.save(shown, self.plan.capture)
+        unswapped = window is not None and window.double and not window.swapped
+        shown = replace(frame, packets=needed(frame.packets[:packets]), calls=frame.calls[:calls], unswapped=unswapped)
+        most = self.plan.most_calls
+        count = sum(draw.count for draw in shown.draws)
+        if most is None or (shown.history and count <= MOST_VERTICES * most):  # without history recording was given up
+            archive.save(shown, self.plan.capture)
 
     def _finish(self) -> None:
         record = self.record
@@ -272,11 +322,12 @@ def _name(step: int, window: int) -> str:
     return f"frame_{step:03d}{'' if window == 1 else f'_w{window}'}.png"
 
 
-HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
-def _is_ours(filename: str) -> bool:
-    return filename.startswith((HERE, "<gl command", "<frozen"))
+def _is_glsims(filename: str) -> bool:
+    """Whether a line of a traceback is glsim's own, not the program's."""
+    return filename.startswith((PACKAGE, "<gl command", "<frozen"))
 
 
 def main() -> None:

@@ -142,12 +142,12 @@ class Characters(bytearray):
         super().__init__(_as_bytes(characters))
 
     def __getitem__(self, place: Any) -> Any:
-        found = super().__getitem__(place)
-        return Characters(found) if isinstance(place, slice) else chr(found)
+        characters = super().__getitem__(place)
+        return Characters(characters) if isinstance(place, slice) else chr(characters)
 
     def __setitem__(self, place: Any, value: Any) -> None:
-        given = _as_bytes(value)
-        super().__setitem__(place, given if isinstance(place, slice) else given[0])
+        characters = _as_bytes(value)
+        super().__setitem__(place, characters if isinstance(place, slice) else characters[0])
 
     def __iter__(self) -> Any:
         return map(chr, bytes(self))

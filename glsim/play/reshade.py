@@ -1,11 +1,13 @@
-"""The same draws under another shade model and specular lobe, without light, or as wireframe."""
+"""The same draws under another shade model and specular lobe, without light, as wireframe or as visible edges."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from glsim.machine import constants as gl
 from glsim.machine.frame import Accum, Clear, Draw, Frame, Packet, QueryMark, Vertices
+from glsim.machine.state import Color, ColorBuffer, Fog, Texturing
 from glsim.names import SHADING
 
 SHADE_MODEL = {"flat": gl.GL_FLAT, "gouraud": gl.GL_SMOOTH, "phong": gl.GL_PHONG_WIN}
@@ -30,7 +32,10 @@ def reshaded(shade: str | None, lobe: str | None) -> Callable[[Draw], Draw] | No
 
 
 def shaded(frame: Frame, mode: str, lobe: str) -> Frame:
-    """The frame with every lit draw under another shade model and lobe, or as wireframe, or without light."""
+    """The frame with every lit draw under another shade model and lobe, without light, or as the edges of polygons:
+    all of them ("wireframe"), or those that no polygon hides ("hidden-line")."""
+    if mode == "hidden-line":
+        return _hidden_line(frame)
     if mode == "wireframe":
         return _unlit(frame).map_draws(_outlined)
     if mode == "unlit":
@@ -73,6 +78,35 @@ def _outlined(draw: Draw) -> Draw:
     """Polygons as their edges."""
     polygon = draw.state.polygon._replace(front_mode=gl.GL_LINE, back_mode=gl.GL_LINE)
     return draw.with_state(draw.state._replace(polygon=polygon))
+
+
+def _hidden_line(frame: Frame) -> Frame:
+    """Each Draw twice: filled with the background's colour and moved away from the eye a little, then as its edges."""
+    packets: list[Packet] = []
+    background: Color = (0.0, 0.0, 0.0, 0.0)
+    for packet in _unlit(frame).packets:
+        if isinstance(packet, Clear) and packet.mask & gl.GL_COLOR_BUFFER_BIT:
+            background = packet.state.color_buffer.clear
+        if isinstance(packet, Draw) and packet.mode >= gl.GL_TRIANGLES:
+            packets += [_blanked(packet, background), _outlined(packet)]
+        else:
+            packets.append(packet)
+    return replace(frame, packets=packets)
+
+
+def _blanked(draw: Draw, color: Color) -> Draw:
+    """Polygons filled with one opaque colour, behind where their edges are."""
+    state = draw.state
+    plain = draw.with_state(
+        state._replace(
+            lighting=state.lighting._replace(enabled=False, color_material=False),
+            texture=Texturing(), fog=Fog(), color_buffer=ColorBuffer(mask=state.color_buffer.mask),
+            polygon=state.polygon._replace(front_mode=gl.GL_FILL, back_mode=gl.GL_FILL, offset_fill=True,
+                                           offset_factor=1.0, offset_units=1.0),
+        )
+    )  # fmt: skip
+    plain.color = color
+    return plain
 
 
 def needed(packets: list[Packet]) -> list[Packet]:

@@ -12,15 +12,18 @@ import os
 import re
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, fields, replace
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from glsim.files import read_regular, write_atomically
 from glsim.play.plan import MADE_BY, PICTURE, Plan, Record
 from glsim.play.supervise import Outcome, supervised
+
+if TYPE_CHECKING:
+    from glsim.machine.frame import Frame
 
 MOST_REPORT = 1 << 24  # bytes of the report of a run
 REPORTABLE = ("running", "ok", "gl-error", "python-error", "no-window")  # the statuses that a run itself can report
@@ -55,7 +58,11 @@ def events_from(keys: str, events: str) -> list[str]:
     return listed
 
 
-def run(plan: Plan, timeout: float | None = 60.0) -> dict[str, Any]:
+def run(
+    plan: Plan,
+    timeout: float | None = 60.0,
+    look: Callable[[Frame], object] | None = None,
+) -> dict[str, Any]:
     """Play ``plan`` in a child process.  Returns the fields of play.plan.Record as a dictionary.
 
     status has three further values: "timeout", "interrupted" (by Ctrl-C) and "exit" (the program ended its process
@@ -63,8 +70,10 @@ def run(plan: Plan, timeout: float | None = 60.0) -> dict[str, Any]:
 
     With ``plan.count`` what the program prints goes to standard error.  Pictures of an earlier run are removed from the
     folder ``plan.out``.
-    timeout: seconds after which the program is stopped; None for never.  Raises FileNotFoundError for a script that is
-    not there, OSError if the folder for the pictures cannot be made.
+    timeout: seconds after which the program is stopped; None for never.  look: called with the Frame of the first
+    picture, with its calls, if these are no more than ``plan.most_calls`` and there was no error.
+
+    Raises FileNotFoundError for a script that is not there, OSError if the folder for the pictures cannot be made.
     """
     if not Path(plan.script).is_file():
         what = "is a folder; name a Python program" if Path(plan.script).is_dir() else "there is no such file"
@@ -78,6 +87,8 @@ def run(plan: Plan, timeout: float | None = 60.0) -> dict[str, Any]:
         plan = replace(
             plan, script=script, result=os.path.join(folder, "result.json"), stack=stack,
             out=os.path.abspath(plan.out) if plan.out else None,
+            capture=plan.capture if look is None else os.path.join(folder, "frame"),
+            capture_calls=plan.capture_calls or look is not None,
         )  # fmt: skip
         environment = {**os.environ, "PYTHONHASHSEED": "0", "PYTHONUNBUFFERED": "1"}
         root = str(Path(__file__).resolve().parents[2])
@@ -92,6 +103,8 @@ def run(plan: Plan, timeout: float | None = 60.0) -> dict[str, Any]:
             interrupted = True
         record = read_report(plan.result or "")
         line = _hung_at(stack, script) if outcome.timed_out else None
+        if look is not None and not interrupted and not record["errors"] and os.path.exists(plan.capture or ""):
+            _look_at(plan.capture or "", look)
     written = [name for name in record["pictures"] if plan.out and _is_regular(Path(plan.out) / name)]
     record["pictures"] = written
     if interrupted:
@@ -106,6 +119,16 @@ def run(plan: Plan, timeout: float | None = 60.0) -> dict[str, Any]:
         record["status"] = "ok" if outcome.code == 0 and record["frames"] else "exit"
         record["notes"].append(f"the script ended the process ({_ending(outcome.code)})")
     return record
+
+
+def _look_at(path: str, look: Callable[[Frame], object]) -> None:
+    from glsim.machine import archive
+
+    try:
+        frame = archive.load(path)
+    except (ValueError, OSError):  # the program's process left something else there
+        return
+    look(frame)
 
 
 def _ending(code: int | None) -> str:
@@ -181,8 +204,8 @@ def _hung_at(stack: str, script: str) -> int | None:
     except (OSError, ValueError):
         return None
     name = script.encode("ascii", "backslashreplace").decode()
-    found = re.search(rf'File "{re.escape(name)}", line (\d+) ', text)
-    return int(found[1]) if found else None
+    match = re.search(rf'File "{re.escape(name)}", line (\d+) ', text)
+    return int(match[1]) if match else None
 
 
 # ---------------------------------------------------------------- animations

@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from glsim.machine.constants import Enum
+from glsim.machine.types import C_TYPES
 
 
 class Later:
@@ -53,15 +54,12 @@ def _callback(*arguments: Any) -> Any:
 
 
 _DEBUG = _callback(*[ctypes.c_uint] * 4, ctypes.c_int, ctypes.c_char_p, ctypes.c_void_p)
-# C's types by OpenGL's names
-TYPES: dict[str, Any] = {
-    "GLvoid": None, "void": None,
-    **dict.fromkeys(("GLboolean", "GLubyte"), ctypes.c_ubyte),
-    **dict.fromkeys(("GLenum", "GLuint", "GLbitfield", "GLhandle", "GLhandleARB"), ctypes.c_uint),
-    **dict.fromkeys(("GLint", "GLsizei", "GLfixed", "GLclampx", "int32_t"), ctypes.c_int),
-    **dict.fromkeys(("GLfloat", "GLclampf"), ctypes.c_float),
-    **dict.fromkeys(("GLdouble", "GLclampd"), ctypes.c_double),
-    **dict.fromkeys(("GLushort", "GLhalfNV", "GLhalfARB"), ctypes.c_ushort),
+TYPES: dict[str, Any] = {  # C's types by the names that PyOpenGL gives them
+    **C_TYPES,
+    "void": None,
+    **dict.fromkeys(("GLhandle", "GLhandleARB"), ctypes.c_uint),
+    **dict.fromkeys(("GLfixed", "GLclampx", "int32_t"), ctypes.c_int),
+    **dict.fromkeys(("GLhalfNV", "GLhalfARB"), ctypes.c_ushort),
     **dict.fromkeys(("GLintptr", "GLintptrARB", "GLvdpauSurfaceNV"), ctypes.c_ssize_t),
     **dict.fromkeys(("GLsizeiptr", "GLsizeiptrARB", "size_t"), ctypes.c_size_t),
     **dict.fromkeys(("GLint64", "GLint64EXT", "int64_t"), ctypes.c_int64),
@@ -69,7 +67,7 @@ TYPES: dict[str, Any] = {
     **dict.fromkeys(("GLchar", "GLcharARB"), ctypes.c_char),
     **dict.fromkeys(("GLvoidp", "GLeglImageOES", "GLsync"), ctypes.c_void_p),
     **dict.fromkeys(("GLDEBUGPROC", "GLDEBUGPROCARB", "GLDEBUGPROCKHR", "GLDEBUGPROCAMD"), _DEBUG),
-    "GLbyte": ctypes.c_byte, "GLshort": ctypes.c_short, "GLulong": ctypes.c_ulong, "GLubyte_3": ctypes.c_ubyte * 3,
+    "GLulong": ctypes.c_ulong, "GLubyte_3": ctypes.c_ubyte * 3,
     **{f"GLfloat_{n}": ctypes.c_float * n for n in (2, 3, 4)},
     **{f"GLdouble_{n}": ctypes.c_double * n for n in (2, 3, 4)},
     "c_int": ctypes.c_int, "c_char_p": ctypes.c_char_p, "ctypes": ctypes, "sizeof": ctypes.sizeof,

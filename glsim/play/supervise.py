@@ -122,12 +122,12 @@ def end_family(ancestor: int, mark: str) -> None:
     """
     stopped: set[int] = set()
     for _ in range(100):  # a fork bomb needs several rounds
-        found = set(_family(ancestor, mark)) - stopped
-        if not found:
+        running = set(_family(ancestor, mark)) - stopped
+        if not running:
             break
-        for pid in found:
+        for pid in running:
             _signal(pid, signal.SIGSTOP)
-        stopped |= found
+        stopped |= running
     for pid in stopped:
         _signal(pid, signal.SIGKILL)
 
@@ -183,16 +183,16 @@ def main() -> None:
     wake, woken = os.pipe()
     os.set_blocking(woken, False)
     signal.set_wakeup_fd(woken, warn_on_full_buffer=False)
-    asked: list[int] = []
+    signals: list[int] = []
     for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
-        signal.signal(number, lambda number, frame: asked.append(number))
+        signal.signal(number, lambda number, frame: signals.append(number))
     signal.signal(signal.SIGCHLD, lambda number, frame: None)
     limit = None if order["timeout"] is None else time.monotonic() + order["timeout"]
     child = subprocess.Popen(
         order["command"], cwd=order["cwd"], start_new_session=True, preexec_fn=lambda: _prctl(PR_SET_PDEATHSIG, 9)
     )
     timed_out = False
-    while child.poll() is None and not asked and os.getppid() == caller and not timed_out:
+    while child.poll() is None and not signals and os.getppid() == caller and not timed_out:
         timed_out = limit is not None and time.monotonic() > limit
         wait = POLL_SECONDS if limit is None else min(POLL_SECONDS, max(limit - time.monotonic(), 0.0))
         if not timed_out and select.select([wake], [], [], wait)[0]:

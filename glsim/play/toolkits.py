@@ -59,7 +59,7 @@ class _Watcher:
 
 def swap(loop: Loop, window: Window, deliver: Callable[[list[str]], None]) -> None:
     """A swap of buffers ends a step."""
-    window.shown = window.picture()
+    window.shown, window.swapped = window.picture(), True
     loop.end_step()
     loop.clock.advance(loop.tick)
     if loop.step <= len(loop.events):

@@ -28,45 +28,47 @@ TOUCH = 1e-6  # of a line's length: a line with a shorter part inside a region c
 THIN = 1e-4  # of the scene's size: a thinner region is made a little thicker, and hides nothing by itself
 AT_ONCE = 1 << 12  # patches
 
-HIDDEN, SEEN, ASK = 0, 1, 2  # a pair of patches: all lines are blocked, no line is blocked, rays must decide
+HIDDEN, VISIBLE, UNDECIDED = 0, 1, 2  # a pair of patches: all lines are blocked, none is, rays must decide
 
 
 @jit
-def judge(one: Any, two: Any, rows: Any, columns: Any, starts: Any, solid: Any, exact: float, out: Any) -> None:
-    """Write what the regions tell of each pair into out (p,): SEEN, HIDDEN, or ASK, which means that rays are needed.
+def decide(
+    reach_i: Any, reach_j: Any, rows: Any, columns: Any, starts: Any, solid: Any, exact: float, out: Any
+) -> None:
+    """Write what the regions tell of each pair into out (p,): VISIBLE, HIDDEN, or UNDECIDED, for which rays are needed.
 
-    SEEN: all lines between the two ends miss all regions.  HIDDEN: all lines go through one region that is ``solid``.
-    one, two: (n, m, 2), Bodies.reach of the ends with the numbers ``rows`` and ``columns`` (p,).  starts: (k + 1,),
-    region b has the planes starts[b] up to starts[b + 1].  solid: (k,).
+    VISIBLE: all lines between the two ends miss all regions.  HIDDEN: all lines go through one region that is
+    ``solid``.  reach_i, reach_j: (n, m, 2), Bodies.reach of the ends with the numbers ``rows`` and ``columns`` (p,).
+    starts: (k + 1,), region b has the planes starts[b] up to starts[b + 1].  solid: (k,).
 
     A line runs from the first end (t = 0) to the second (t = 1).  At t its distance from a plane is at least
     (1 - t) a + t b, where a and b are the least distances of the two ends from the plane, and at most the same with the
     largest distances.  A region hides a pair only if both ends are outside of it: each end reaches in front of one of
     the region's planes by more than ``exact``, and behind that plane by less than ``exact``.
     """
-    for row in range(len(rows)):
-        i, j = rows[row], columns[row]
-        out[row] = SEEN
-        for b in range(len(solid)):
+    for pair in range(len(rows)):
+        i, j = rows[pair], columns[pair]
+        out[pair] = VISIBLE
+        for region in range(len(solid)):
             enter = enter_whole = 0.0
             leave = leave_whole = 1.0
             outside_i = outside_j = False
-            for m in range(starts[b], starts[b + 1]):
-                enter, leave = _behind(one[i, m, 0], two[j, m, 0], enter, leave)
+            for m in range(starts[region], starts[region + 1]):
+                enter, leave = _clip_interval(reach_i[i, m, 0], reach_j[j, m, 0], enter, leave)
                 if leave - enter < TOUCH:
                     break
-                enter_whole, leave_whole = _behind(one[i, m, 1], two[j, m, 1], enter_whole, leave_whole)
-                outside_i |= one[i, m, 0] > -exact and one[i, m, 1] > exact
-                outside_j |= two[j, m, 0] > -exact and two[j, m, 1] > exact
+                enter_whole, leave_whole = _clip_interval(reach_i[i, m, 1], reach_j[j, m, 1], enter_whole, leave_whole)
+                outside_i |= reach_i[i, m, 0] > -exact and reach_i[i, m, 1] > exact
+                outside_j |= reach_j[j, m, 0] > -exact and reach_j[j, m, 1] > exact
             if leave - enter >= TOUCH:
-                if solid[b] and outside_i and outside_j and leave_whole - enter_whole >= TOUCH:
-                    out[row] = HIDDEN
+                if solid[region] and outside_i and outside_j and leave_whole - enter_whole >= TOUCH:
+                    out[pair] = HIDDEN
                     break
-                out[row] = ASK
+                out[pair] = UNDECIDED
 
 
 @jit
-def _behind(a: float, b: float, enter: float, leave: float) -> tuple[float, float]:
+def _clip_interval(a: float, b: float, enter: float, leave: float) -> tuple[float, float]:
     """Return the part of the interval of t from ``enter`` to ``leave`` in which (1 - t) a + t b is at most 0."""
     if a > 0.0:
         return (max(enter, a / (a - b)), leave) if b < 0.0 else (1.0, 0.0)

@@ -76,28 +76,29 @@ class Blocks:
     matrix = None  # S is on the workers
 
     def __init__(
-        self, client: Any, patches: Patches, progress: Progress, name: str | None = None, rays: Rays | None = None
+        self, client: Any, patches: Patches, progress: Progress, dataset: str | None = None, rays: Rays | None = None
     ) -> None:
         """Compute the form factors of patches on the workers of a client, and wait until all blocks are finished.
 
-        name: if this program is interrupted, the cluster keeps the blocks under this name and goes on computing them; a
-        later program with the same patches gets them, whatever name it gives.  rays: on this machine, of the patches'
-        scene.  Raises SceneError if the blocks would take more than half of the workers' memory.
+        dataset: if this program is interrupted, the cluster keeps the blocks as a dataset of this name and goes on
+        computing them; a later program with the same patches gets them, whatever name it gives.  rays: on this machine,
+        of the patches' scene.  Raises SceneError if the blocks would take more than half of the workers' memory.
         """
         self.client, self.patches, self.rays = client, patches, rays
         start = time.perf_counter()
         self._check_memory()
         self.starts = _starts(len(patches))
         mark = mark_of(patches, self.method)
-        self.scattered = client.submit(_itself, patches)  # a task, not data: see _itself
+        self.scattered = client.submit(_identity, patches)  # a task, not data: see _identity
         self.blocks = [
-            client.submit(_block, self.scattered, low, high, key=f"glsim-{mark}-{low}") for low, high in self._bounds()
+            client.submit(_compute_block, self.scattered, low, high, key=f"glsim-{mark}-{low}")
+            for low, high in self._bounds()
         ]
-        if name:
-            self.keep(name)
+        if dataset:
+            self.keep(dataset)
         self._wait(progress)
-        if name:
-            client.unpublish_dataset(name)
+        if dataset:
+            client.unpublish_dataset(dataset)
         self.seconds = {"form factors": time.perf_counter() - start}
 
     def _bounds(self) -> list[tuple[int, int]]:
@@ -127,7 +128,7 @@ class Blocks:
             done += pairs[block.key]
             progress("form factors", done, n * (n - 1) // 2)
 
-    def _each(self, function: Any, arguments: Sequence[tuple[Any, ...]]) -> list[Any]:
+    def _call_each(self, function: Any, arguments: Sequence[tuple[Any, ...]]) -> list[Any]:
         """Call the function on the workers with each of the arguments, and return the results in order."""
         try:
             return list(self.client.gather([self.client.submit(function, *some, pure=False) for some in arguments]))
@@ -136,9 +137,11 @@ class Blocks:
 
     def times(self, B: Float) -> Float:
         """Return S B (n, 3) for B (n, 3)."""
-        radiosity = self.client.submit(_itself, B)
+        radiosity = self.client.submit(_identity, B)
         lows = self.starts[:-1]
-        parts = self._each(_product, [(block, radiosity, low) for block, low in zip(self.blocks, lows, strict=True)])
+        parts = self._call_each(
+            _block_product, [(block, radiosity, low) for block, low in zip(self.blocks, lows, strict=True)]
+        )
         result = np.zeros(B.shape)
         for low, part in zip(lows, parts, strict=True):
             result[low:] += part
@@ -163,19 +166,19 @@ class Blocks:
 
     def row(self, i: int) -> Float:
         """Return F[i, :], (n,)."""
-        above = [
+        parts = [
             (block, i - low, low <= i < high)
             for block, (low, high) in zip(self.blocks, self._bounds(), strict=True)
             if low <= i
         ]
-        return np.asarray(np.concatenate(self._each(_row, above)) / self.patches.area[i], np.float64)
+        return np.asarray(np.concatenate(self._call_each(_row_part, parts)) / self.patches.area[i], np.float64)
 
     def at_points(self, points: Float, normals: Float, patch: Int, B: Float) -> Float:
         """Return the irradiance (k, 3) at points (k, 3) with unit normals (k, 3), a part of it from each worker."""
-        radiosity = self.client.submit(_itself, B)
+        radiosity = self.client.submit(_identity, B)
         parts = np.array_split(np.arange(len(points)), max(1, len(self.client.nthreads())))
         return np.concatenate(
-            self._each(_irradiance, [(self.scattered, points[part], normals[part], radiosity) for part in parts])
+            self._call_each(_irradiance, [(self.scattered, points[part], normals[part], radiosity) for part in parts])
         )
 
 
@@ -203,12 +206,12 @@ _one_at_a_time = threading.Lock()  # each task uses all threads of its worker
 _last: dict[str, Any] = {}
 
 
-def _itself(what: Any) -> Any:
+def _identity(value: Any) -> Any:
     """Return the argument: as the result of a task, which Dask repeats if a worker dies; data would be lost."""
-    return what
+    return value
 
 
-def _block(patches: Patches, first: int, last: int) -> Rows:
+def _compute_block(patches: Patches, first: int, last: int) -> Rows:
     """Return S of the patches ``first`` up to ``last`` with all from ``first`` on: (last - first, n - first)."""
     out = np.zeros((last - first, len(patches)), np.float32)
     with _one_at_a_time:
@@ -216,7 +219,7 @@ def _block(patches: Patches, first: int, last: int) -> Rows:
     return out[:, first:].copy()
 
 
-def _product(block: Rows, B: Float, first: int) -> Float:
+def _block_product(block: Rows, B: Float, first: int) -> Float:
     """Return what a block adds to S B from row ``first`` on, (n - first, 3).
 
     Its rows count for its own patches and, since S is symmetric, its columns for all patches of higher number.
@@ -227,12 +230,14 @@ def _product(block: Rows, B: Float, first: int) -> Float:
     return np.asarray(result)
 
 
-def _row(block: Rows, at: int, own: bool) -> Rows:
-    """Return what a block holds of row i of S; at: i minus the block's first row; own: whether i is one of its rows.
+def _row_part(block: Rows, offset: int, in_block: bool) -> Rows:
+    """Return what a block holds of row i of S.
 
-    Of a row that is not its own the block holds a part as column ``at``, because S is symmetric.
+    offset: i minus the block's first row; in_block: whether i is one of its rows.
+
+    Of a row that is not one of them the block holds a part as column ``offset``, because S is symmetric.
     """
-    return np.concatenate([block[:at, at], block[at, at:]]) if own else block[:, at]
+    return np.concatenate([block[:offset, offset], block[offset, offset:]]) if in_block else block[:, offset]
 
 
 def _irradiance(patches: Patches, points: Float, normals: Float, B: Float) -> Float:

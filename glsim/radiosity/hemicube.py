@@ -14,7 +14,7 @@ from glsim import gl
 from glsim.glu.view import gluLookAt
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.progress import Progress
-from glsim.render.context import offscreen
+from glsim.render.context import own_screen
 
 Float = NDArray[np.float64]
 RESOLUTION = 128  # pixels along an edge of the cube
@@ -29,7 +29,7 @@ def hemicube(patches: Patches, progress: Progress, resolution: int = RESOLUTION)
     n, width = len(patches), 3 * resolution
     weights = delta_form_factors(resolution).ravel()
     S = np.zeros((n, n), np.float32)
-    with offscreen(width, AT_ONCE * resolution) as screen:
+    with own_screen(width, AT_ONCE * resolution) as screen:
         scene = _compiled(patches)
         for first in range(0, n, AT_ONCE):
             batch = range(first, min(first + AT_ONCE, n))
@@ -41,7 +41,6 @@ def hemicube(patches: Patches, progress: Progress, resolution: int = RESOLUTION)
                 ids = seen[place * resolution : (place + 1) * resolution].ravel()
                 S[i] = patches.area[i] * np.bincount(ids, weights, n + 1)[1:]
             progress("form factors", batch.stop, n)
-        screen.release()
     for k in range(0, n, 1024):  # block by block, so that no second n x n array is needed
         mean = (S[k : k + 1024, k:] + S[k:, k : k + 1024].T) / 2.0
         S[k : k + 1024, k:], S[k:, k : k + 1024] = mean, mean.T

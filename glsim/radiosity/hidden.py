@@ -38,7 +38,7 @@ def exposed(patches: Patches, rays: Rays) -> Patches:
     hidden |= smaller
     under = np.flatnonzero(opposite)
     fronts, backs, unclear = count_faces(rays, patches.center[under], patches.normal[under])
-    hidden[under] |= (fronts == 0) & ((backs + unclear == RAYS) | _at_the_end(patches, under))
+    hidden[under] |= (fronts == 0) & ((backs + unclear == RAYS) | _faces_outwards(patches, under))
     if not hidden.any():
         return patches
     if np.average(hidden, weights=patches.area) > 0.9:
@@ -59,8 +59,8 @@ def covered(rays: Rays, points: Float, normals: Float, least: int = 3) -> NDArra
     front or nothing; if eight rays meet backs, the ninth does not matter.
     """
     fronts, backs, unclear = count_faces(rays, points, normals)
-    missed = RAYS - fronts - backs - unclear
-    return np.asarray((backs >= least) & (fronts + missed <= backs // 8))
+    nothing = RAYS - fronts - backs - unclear
+    return np.asarray((backs >= least) & (fronts + nothing <= backs // 8))
 
 
 def count_faces(rays: Rays, points: Float, normals: Float) -> tuple[Int, Int, Int]:
@@ -83,12 +83,12 @@ def count_faces(rays: Rays, points: Float, normals: Float) -> tuple[Int, Int, In
     return counts[0], counts[1], (~same).sum(axis=0)
 
 
-def _at_the_end(patches: Patches, chosen: Int) -> NDArray[np.bool_]:
+def _faces_outwards(patches: Patches, chosen: Int) -> NDArray[np.bool_]:
     """Return for each of the ``chosen`` patches whether the whole scene is behind its plane."""
     points = np.concatenate(patches.scene.polygons)
-    to = np.array([(points @ direction).max() - middle @ direction for middle, direction in
+    beyond = np.array([(points @ direction).max() - middle @ direction for middle, direction in
                    zip(patches.center[chosen], patches.normal[chosen], strict=True)])  # fmt: skip
-    return to < TOUCHING * patches.scene.size
+    return beyond < TOUCHING * patches.scene.size
 
 
 def _fan(normals: Float) -> Float:
@@ -118,8 +118,8 @@ def _coplanar(patches: Patches) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         on = (np.abs(cosine) > 1.0 - 1e-6) & (patches.polygon != number)
         on &= np.abs((patches.center - polygon[0]) @ normals[number]) < tolerance
         inward = np.cross(normals[number], np.roll(polygon, -1, axis=0) - polygon)
-        to = patches.center[on][:, None] - polygon
-        on[on] = ((to * inward).sum(axis=2) > 0.0).all(axis=1)
+        from_corners = patches.center[on][:, None] - polygon
+        on[on] = ((from_corners * inward).sum(axis=2) > 0.0).all(axis=1)
         smaller |= on & (cosine > 0.0) & (areas[patches.polygon] > areas[number] * (1.0 + 1e-9))
         opposite |= on & (cosine < 0.0)
     return smaller, opposite

@@ -216,8 +216,8 @@ class _Refiner:
         )
         seeing = np.flatnonzero(S > 0.0)
         pairs, S, spread, tilt = pairs[seeing], S[seeing], spread[seeing], tilt[seeing]
-        share, asked = self.visibility.asked(nodes.corners, nodes.counts, nodes.normal, pairs)
-        uneven = self._unevenness(pairs, S, spread, share, asked) > self.least
+        share, undecided = self.visibility.fractions_and_undecided(nodes.corners, nodes.counts, nodes.normal, pairs)
+        uneven = self._unevenness(pairs, S, spread, share, undecided) > self.least
         uneven &= self.tree.child[pairs] >= 0
         done = ~uneven.any(axis=1)
         linked = done & (share > 0.0)
@@ -226,7 +226,7 @@ class _Refiner:
         self.count += len(links[1])
         self.state = [*self.open[:-1], *parts], [*self.state[1], links]
 
-    def _unevenness(self, pairs: Int, S: Float, spread: Float, share: Float, asked: Int) -> Float:
+    def _unevenness(self, pairs: Int, S: Float, spread: Float, share: Float, undecided: Int) -> Float:
         """Estimate the error of the radiosity that a link of each pair would bring to any part of its two ends: (k, 2).
 
         The error has three causes: the form factor differs between the parts; some parts may be hidden; the radiosity
@@ -234,9 +234,9 @@ class _Refiner:
         """
         nodes = self.tree.nodes
         bright = np.stack([(nodes.rho[pairs[:, k]] * self.B[pairs[:, 1 - k]]).max(axis=1) for k in (0, 1)], axis=1)
-        likely = (share[asked] * FIRST + 0.5) / (FIRST + 1.0)  # 16 rays that agree are no proof
+        likely = (share[undecided] * FIRST + 0.5) / (FIRST + 1.0)  # 16 rays that agree are no proof
         doubt = np.zeros(len(pairs))
-        doubt[asked] = np.sqrt(likely * (1.0 - likely))
+        doubt[undecided] = np.sqrt(likely * (1.0 - likely))
         area = nodes.area[pairs]
         sent = VARIES * spread * bright[:, ::-1] * area / area[:, ::-1]
         uneven = np.maximum(np.maximum(spread, (doubt * S)[:, None] / area) * bright, sent)
@@ -254,10 +254,10 @@ class _Refiner:
             halves[:, :, 1 - k] = pairs[only, 1 - k, None]
             parts.append(halves.reshape(-1, 2))
         both = pairs[uneven.all(axis=1)]
-        all_ = np.empty((len(both), 4, 4, 2), np.int64)
-        all_[..., 0] = self.tree.child[both[:, 0], None, None] + four[:, None]
-        all_[..., 1] = self.tree.child[both[:, 1], None, None] + four
-        return _blocks(np.concatenate([*parts, all_.reshape(-1, 2)]))
+        quarters = np.empty((len(both), 4, 4, 2), np.int64)
+        quarters[..., 0] = self.tree.child[both[:, 0], None, None] + four[:, None]
+        quarters[..., 1] = self.tree.child[both[:, 1], None, None] + four
+        return _blocks(np.concatenate([*parts, quarters.reshape(-1, 2)]))
 
 
 def _blocks(pairs: Int) -> list[Int]:

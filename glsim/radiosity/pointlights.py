@@ -57,8 +57,8 @@ def lamps_of(patches: Patches) -> list[PointLamp]:
         lamps.append(PointLamp(at, normal / np.linalg.norm(normal) if directed else None, E, float(areas.sum())))
     lamps.sort(key=lambda lamp: -lamp.area * float(lamp.E.sum()))
     total, shown = (sum(lamp.area * lamp.E for lamp in some) for some in (lamps, lamps[:MAX_LIGHTS]))
-    more = np.divide(total, shown, out=np.ones(3), where=np.asarray(shown) > 0.0)
-    return [lamp._replace(E=lamp.E * more) for lamp in lamps[:MAX_LIGHTS]]
+    gain = np.divide(total, shown, out=np.ones(3), where=np.asarray(shown) > 0.0)
+    return [lamp._replace(E=lamp.E * gain) for lamp in lamps[:MAX_LIGHTS]]
 
 
 def ambient_of(result: Radiosity) -> Float:

@@ -81,22 +81,23 @@ def _surfaces(draw: Any) -> list[DrawnPolygon]:
     points = np.c_[rows[:, :3], np.ones(len(rows))] @ modelview
     points = points[:, :3] / points[:, 3:]
     polygon, lighting = draw.state.polygon, draw.state.lighting
-    given = rows[:, 3:6]
-    normals = _normals(given, modelview)
+    object_normals = rows[:, 3:6]
+    normals = _normals(object_normals, modelview)
     # all normals are initial, or one constant without lighting: they may confirm the front by winding, not overrule it
-    left = (given == (0.0, 0.0, 1.0)).all() or (not lighting.enabled and (given == given[0]).all())
+    left = (object_normals == (0.0, 0.0, 1.0)).all()
+    left |= not lighting.enabled and len(rows) > 0 and (object_normals == object_normals[0]).all()
     shown = polygon.front_face != GL_CW  # whether the side from which corners run counterclockwise is the front
     shown ^= bool(np.linalg.det(projection[:2, :2]) < 0.0)  # the projection is a mirror
     shown ^= polygon.cull and polygon.cull_face == GL_FRONT  # only backs are seen
     both = lighting.enabled and lighting.two_side and not polygon.cull
-    own = np.array([normal_of(points[polygon]) for polygon in polygons])
-    along = np.einsum("nk,nk->n", normals[polygons].mean(axis=1), own)
+    face_normals = np.array([normal_of(points[polygon]) for polygon in polygons])
+    along = np.einsum("nk,nk->n", normals[polygons].mean(axis=1), face_normals)
     told = (np.abs(along) > ACROSS) & ~(left & ((along > 0.0) != shown))
     votes = along[told] if not left else along[:0]
     usual = bool(votes.sum() > 0.0) if len(votes) else shown  # for polygons whose normals do not decide
     unsaid = not len(votes) and not polygon.cull and not both
     surfaces = []
-    for polygon, normal, sure, outwards in zip(polygons, own, told, along > 0.0, strict=True):
+    for polygon, normal, sure, outwards in zip(polygons, face_normals, told, along > 0.0, strict=True):
         front = outwards if sure else usual
         doubt = "against" if front != shown else "unsaid" if unsaid and normal.any() and not sure else ""
         order = slice(None) if front else slice(None, None, -1)
@@ -108,12 +109,12 @@ def _surfaces(draw: Any) -> list[DrawnPolygon]:
     return surfaces
 
 
-def _normals(given: Float, modelview: Float) -> Float:
+def _normals(object_normals: Float, modelview: Float) -> Float:
     """Return unit normals (n, 3) in eye space; zeros where the matrix has no inverse, as that of a flat shadow."""
     try:
-        normals = given @ np.linalg.inv(modelview)[:3, :3].T
+        normals = object_normals @ np.linalg.inv(modelview)[:3, :3].T
     except np.linalg.LinAlgError:
-        return np.zeros_like(given)
+        return np.zeros_like(object_normals)
     return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from base64 import b64encode
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
@@ -18,7 +19,7 @@ from glsim.radiosity.gather import radiosity_at
 from glsim.radiosity.mesh import PatchMesh
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.scene import SceneError, View, view_of
-from glsim.radiosity.solvers import SolverStep
+from glsim.radiosity.solvers import SOLVERS, SolverStep, System, shooting
 from glsim.radiosity.tone import GAMMA, automatic_white, toned
 
 if TYPE_CHECKING:
@@ -101,7 +102,22 @@ class Radiosity:
 
     def direct(self) -> Float:
         """Return the radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
-        return radiosity_at(self.factors, self.mesh.at, self.mesh.normals, self.mesh.patch, self.patches.E)
+        return self.at_vertices(self.patches.E)
+
+    def at_vertices(self, B: Float) -> Float:
+        """Return the radiosity at the vertices (V, 3) that patches with the radiosities B (n, 3) give: their light is
+        gathered once more at each vertex."""
+        return radiosity_at(self.factors, self.mesh.at, self.mesh.normals, self.mesh.patch, B)
+
+    def iterations(self, solver: str = "gauss-seidel", many: int | None = None) -> Iterator[SolverStep]:
+        """Solve the system again, and yield a SolverStep with its B (n, 3) after each iteration, without an end.
+
+        solver: "jacobi", "gauss-seidel", "shooting", ...  many: shots in a step of "shooting", by default a twentieth of
+        the patches.  Raises SceneError for an unknown solver."""
+        if solver not in SOLVERS:
+            raise SceneError(f"the solvers are {', '.join(SOLVERS)}, not {solver!r}")
+        system = System.of(self.factors)
+        return shooting(system, many=many) if solver == "shooting" else SOLVERS[solver](system)
 
     def beside_direct(self, size: int = 512, view: int | View = 0) -> Image.Image:
         """Draw direct illumination and radiosity from the same camera, side by side, with the same white."""
@@ -138,8 +154,8 @@ class Radiosity:
         values /= np.maximum(weight, 1.0)
         bright = max(float(np.quantile(values[values > 0.0], 0.95)), 1e-300) if values.any() else 1.0
         shown = np.repeat(np.minimum(values / bright, 1.0)[:, None] ** (1.0 / GAMMA), 3, axis=1)
-        own = np.unique(self.mesh.triangles[self.mesh.triangle_patch == patch])
-        shown[own] = (1.0, 0.5, 0.0)
+        corners = np.unique(self.mesh.triangles[self.mesh.triangle_patch == patch])
+        shown[corners] = (1.0, 0.5, 0.0)
         return self.picture(size, view, colors=shown)
 
     def convergence_picture(self) -> Image.Image:

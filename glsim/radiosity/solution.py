@@ -64,30 +64,24 @@ def solve(
         scene = (scene.flipped() if flip else scene).checked()
         rays = Rays(scene, threads)
     with _timed(seconds, "compiled code"):
-        once = "only in the first run" if is_cached(rows) else "in each run: set NUMBA_CACHE_DIR to a folder to keep it"
-        tell(f"compiling ({once})", 0, 1)
+        when = "only in the first run" if is_cached(rows) else "in each run: set NUMBA_CACHE_DIR to a folder to keep it"
+        tell(f"compiling ({when})", 0, 1)
         _compiled(method == "hierarchical")
-        tell(f"compiling ({once})", 1, 1)
+        tell(f"compiling ({when})", 1, 1)
     if method == "hierarchical":
         with _timed(seconds, "patches"):
             tree = tree_of(scene, patches, rays)
             tell("patches", 1, 1)
-        whole: Factors = linked(tree, accuracy, rays, tell, checkpoint=checkpoint)
+        computed: Factors = linked(tree, accuracy, rays, tell, checkpoint=checkpoint)
     else:
         find = _finder(method, rays, scheduler, tell)
-        with _timed(seconds, "patches"):
-            parts = subdivide(scene, patches // 4 if adaptive else patches, rays=rays)
-            tell("patches", 1, 1)
-        if adaptive:
-            with _timed(seconds, "refinement"):
-                parts = refined(parts, patches, find)
-        whole = find(parts, checkpoint)
-    factors = whole.closed() if close and isinstance(whole, FormFactors) else whole
+        computed = _patch_factors(rays, patches, find, adaptive, checkpoint, tell, seconds)
+    factors = computed.closed() if close and isinstance(computed, FormFactors) else computed
     seconds.update(factors.seconds)
-    _sees_itself(factors)
+    _check_sight(factors)
     try:
         with _timed(seconds, "solving"):
-            steps = solved(factors, solver or _usual(factors), tolerance=tolerance, progress=on_step)
+            steps = solved(factors, solver or _default_solver(factors), tolerance=tolerance, progress=on_step)
         B = steps[-1].B
         with _timed(seconds, "vertices"):
             mesh = mesh_of(factors.patches)
@@ -95,9 +89,24 @@ def solve(
             shown = gathered(factors, mesh, B, tell) if gather else averaged(factors.patches, mesh, B)
     except KeyboardInterrupt:
         if checkpoint:
-            whole.keep(checkpoint)
+            computed.keep(checkpoint)
         raise
-    return Radiosity(factors.patches, factors, steps, B, mesh, shown, solver or _usual(factors), seconds)
+    return Radiosity(factors.patches, factors, steps, B, mesh, shown, solver or _default_solver(factors), seconds)
+
+
+def _patch_factors(
+    rays: Rays, patches: int, find: Any, adaptive: bool, checkpoint: str | None, tell: Progress,
+    seconds: dict[str, float],
+) -> Factors:  # fmt: skip
+    """Return the factors of about so many patches of the rays' scene; find: see _finder."""
+    with _timed(seconds, "patches"):
+        parts = subdivide(rays.scene, patches // 4 if adaptive else patches, rays=rays)
+        tell("patches", 1, 1)
+    if adaptive:
+        with _timed(seconds, "refinement"):
+            parts = refined(parts, patches, find)
+    factors: Factors = find(parts, checkpoint)
+    return factors
 
 
 @cache
@@ -110,7 +119,7 @@ def _compiled(hierarchical: bool) -> None:
         if hierarchical
         else compute(subdivide(scene, 60, rays=rays), rays=rays)
     )
-    gathered(factors, mesh_of(factors.patches), solved(factors, _usual(factors))[-1].B)
+    gathered(factors, mesh_of(factors.patches), solved(factors, _default_solver(factors))[-1].B)
 
 
 def _finder(method: str, rays: Rays, scheduler: str | None, tell: Progress) -> Any:
@@ -120,7 +129,7 @@ def _finder(method: str, rays: Rays, scheduler: str | None, tell: Progress) -> A
     from glsim.radiosity.distributed import Blocks, connected
 
     client = connected(scheduler)
-    return lambda parts, name=None: Blocks(client, parts, tell, name, rays)
+    return lambda parts, dataset=None: Blocks(client, parts, tell, dataset, rays)
 
 
 @contextmanager
@@ -131,7 +140,7 @@ def _timed(seconds: dict[str, float], stage: str) -> Iterator[None]:
     seconds[stage] = seconds.get(stage, 0.0) + time.perf_counter() - start
 
 
-def _usual(factors: Factors) -> str:
+def _default_solver(factors: Factors) -> str:
     """Return the name of the default solver."""
     return WITHOUT_MATRIX[0] if factors.matrix is None else "gauss-seidel"
 
@@ -160,7 +169,7 @@ def _check_numbers(patches: int, tolerance: float, accuracy: float, threads: int
             raise SceneError(f"the {name} must be a number between 0 and 1, not {number!r}")
 
 
-def _sees_itself(factors: Factors) -> None:
+def _check_sight(factors: Factors) -> None:
     """Raise SceneError if no patch sees another."""
     parts = factors.patches
     dark = parts.E.max(axis=1) == 0.0

@@ -35,14 +35,14 @@ def subdivide(scene: Scene, count: int = 2000, length: float | None = None, rays
         touched = near_segments(cells, segments, scene.normals[number], TOUCHING * scene.size)
         parts = [cells[~touched]]
         for cell in cells[touched]:
-            own = cell if len(polygon) == 4 else cell[:3]
-            pieces = cut(own, segments, scene.normals[number], scene.size)
+            corners_of_cell = cell if len(polygon) == 4 else cell[:3]
+            pieces = cut(corners_of_cell, segments, scene.normals[number], scene.size)
             parts += [four_corners(pieces)] if pieces else []
         corners += parts
         owner += [number] * sum(map(len, parts))
-    whole = np.concatenate(corners)
-    counts = np.where((whole[:, 2] == whole[:, 3]).all(axis=1), 3, 4)
-    return exposed(patches_from(scene, whole, counts, np.array(owner, np.int64)), rays or Rays(scene))
+    all_corners = np.concatenate(corners)
+    counts = np.where((all_corners[:, 2] == all_corners[:, 3]).all(axis=1), 3, 4)
+    return exposed(patches_from(scene, all_corners, counts, np.array(owner, np.int64)), rays or Rays(scene))
 
 
 def length_for(scene: Scene, count: int) -> float:
@@ -99,8 +99,8 @@ def _triangle_cells(triangle: Float, s: int) -> Float:
     """Cut a triangle into s^2 triangles of its shape: (s^2, 4, 3), each with its last corner twice."""
     a, b, c = triangle
     i, j = np.meshgrid(np.arange(s), np.arange(s), indexing="ij")
-    upright, turned = np.stack([i, j], axis=2)[i + j < s], np.stack([i, j], axis=2)[i + j < s - 1]
+    upright, inverted = np.stack([i, j], axis=2)[i + j < s], np.stack([i, j], axis=2)[i + j < s - 1]
     steps = np.concatenate([
-        upright[:, None] + [[0, 0], [1, 0], [0, 1], [0, 1]], turned[:, None] + [[1, 0], [1, 1], [0, 1], [0, 1]]
+        upright[:, None] + [[0, 0], [1, 0], [0, 1], [0, 1]], inverted[:, None] + [[1, 0], [1, 1], [0, 1], [0, 1]]
     ])  # fmt: skip
     return np.asarray(a + (b - a) * (steps[:, :, :1] / s) + (c - a) * (steps[:, :, 1:] / s))

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.bodies import ASK, HIDDEN, bodies_of, judge
+from glsim.radiosity.bodies import HIDDEN, UNDECIDED, bodies_of, decide
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.rays import Rays, Single
 from glsim.radiosity.samples import add_seen, rays_between, rays_from_points
@@ -57,21 +57,21 @@ class Visibility:
 
         corners: (n, 4, 3), counts (n,), normals (n, 3) of the patches; pairs: (k, 2), their numbers.
         """
-        return self.asked(corners, counts, normals, pairs)[0]
+        return self.fractions_and_undecided(corners, counts, normals, pairs)[0]
 
-    def asked(self, corners: Float, counts: Int, normals: Float, pairs: Int) -> tuple[Float, Int]:
-        """Return the same shares as ``fractions``, and the numbers of the pairs for which rays were sent.
+    def fractions_and_undecided(self, corners: Float, counts: Int, normals: Float, pairs: Int) -> tuple[Float, Int]:
+        """Return the same shares as ``fractions``, and the numbers of the pairs that rays decided.
 
         The bodies alone decide the other pairs, whose shares, 0 or 1, are certain.
         """
         reach = self._reach_of(corners)
-        result, asked = self._judged(reach, reach, pairs[:, 0], pairs[:, 1])
+        result, undecided = self._by_bodies(reach, reach, pairs[:, 0], pairs[:, 1])
         corners = corners - self.rays.middle
-        chunks = [asked[k : k + CHUNK] for k in range(0, len(asked), CHUNK)]
+        chunks = [undecided[k : k + CHUNK] for k in range(0, len(undecided), CHUNK)]
         work = self.rays.pool.map(lambda chunk: self._chunk(corners, counts, normals, pairs[chunk]), chunks)
         for chunk, values in zip(chunks, work, strict=True):
             result[chunk] = values
-        return result, asked
+        return result, undecided
 
     def _reach_of(self, corners: Float) -> Single | None:
         """Return Bodies.reach of patches with these corners, remembered for the patches that were asked for last."""
@@ -81,23 +81,25 @@ class Visibility:
             self.last_reach = corners, self.bodies.reach(corners)
         return self.last_reach[1]
 
-    def _judged(self, one: Single | None, two: Single | None, rows: Int, columns: Int) -> tuple[Float, Int]:
+    def _by_bodies(self, reach_i: Single | None, reach_j: Single | None, rows: Int, columns: Int) -> tuple[Float, Int]:
         """Return the share of each pair (k,) as far as the bodies tell it, and the numbers of the pairs that need rays.
 
-        one, two: Bodies.reach of the ends ``rows`` (k,) and ``columns`` (k,).
+        reach_i, reach_j: Bodies.reach of the ends ``rows`` (k,) and ``columns`` (k,).
         """
         bodies = self.bodies
         if bodies is None:
             return np.ones(len(rows)), np.arange(len(rows))
         verdict = np.empty(len(rows), np.uint8)
 
-        def judged(k: int) -> None:
-            """Judge CHUNK pairs from number k on."""
+        def decide_chunk(k: int) -> None:
+            """Decide CHUNK pairs from number k on."""
             part = slice(k, k + CHUNK)
-            judge(one, two, rows[part], columns[part], bodies.starts, bodies.solid, bodies.exact, verdict[part])
+            decide(
+                reach_i, reach_j, rows[part], columns[part], bodies.starts, bodies.solid, bodies.exact, verdict[part]
+            )
 
-        list(self.rays.pool.map(judged, range(0, len(rows), CHUNK)))
-        return (verdict != HIDDEN).astype(np.float64), np.flatnonzero(verdict == ASK)
+        list(self.rays.pool.map(decide_chunk, range(0, len(rows), CHUNK)))
+        return (verdict != HIDDEN).astype(np.float64), np.flatnonzero(verdict == UNDECIDED)
 
     def from_points(
         self, points: Float, normals: Float, patches: Patches, rows: Int, columns: Int, dim: NDArray[np.bool_]
@@ -108,13 +110,13 @@ class Visibility:
         comes, to which fewer rays are sent.
         """
         reach = self.bodies.reach(points[:, None]) if self.bodies is not None else None
-        result, asked = self._judged(reach, self._reach_of(patches.corners), rows, columns)
-        few, many = asked[dim[asked]], asked[~dim[asked]]
+        result, undecided = self._by_bodies(reach, self._reach_of(patches.corners), rows, columns)
+        few, many = undecided[dim[undecided]], undecided[~dim[undecided]]
         points, corners = points - self.rays.middle, patches.corners - self.rays.middle
         work = [(few[k : k + CHUNK], FEW_RAYS, 0) for k in range(0, len(few), CHUNK)]
         work += [(many[k : k + CHUNK], POINT_RAYS, MORE) for k in range(0, len(many), CHUNK)]
 
-        def one(chunk: Int, count: int, more: int) -> Float:
+        def shares(chunk: Int, count: int, more: int) -> Float:
             seen, total = np.zeros(len(chunk)), np.zeros(len(chunk))
             arrays = (points, normals, rows[chunk], corners, patches.counts, patches.normal, columns[chunk])
             self._send(arrays, 0, count, count, seen, total)
@@ -127,7 +129,7 @@ class Visibility:
                 total[mixed] += total_more
             return np.divide(seen, total, out=np.zeros_like(seen), where=total > 0.0)
 
-        for (chunk, _, _), values in zip(work, self.rays.pool.map(lambda task: one(*task), work), strict=True):
+        for (chunk, _, _), values in zip(work, self.rays.pool.map(lambda task: shares(*task), work), strict=True):
             result[chunk] = values
         return result
 
@@ -149,10 +151,10 @@ class Visibility:
         self._shoot(corners, counts, normals, pairs, 0, group, group, seen, total)
         mixed = np.flatnonzero((seen > 0.0) & (seen < total))
         if len(mixed):
-            more, of = np.zeros(len(mixed)), np.zeros(len(mixed))
-            self._shoot(corners, counts, normals, pairs[mixed], group, times * MORE, group, more, of)
-            seen[mixed] += more
-            total[mixed] += of
+            seen_more, total_more = np.zeros(len(mixed)), np.zeros(len(mixed))
+            self._shoot(corners, counts, normals, pairs[mixed], group, times * MORE, group, seen_more, total_more)
+            seen[mixed] += seen_more
+            total[mixed] += total_more
         return np.divide(seen, total, out=np.zeros_like(seen), where=total > 0.0)
 
     def _shoot(

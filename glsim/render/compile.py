@@ -6,7 +6,8 @@ import re
 
 from glsim.machine.state import TEXTURE_UNITS
 from glsim.render.gpu import GPU, Program
-from glsim.render.programs import ProgramKey, expand, root_files, sources
+from glsim.render.key import ProgramKey
+from glsim.render.programs import expand, root_files, sources
 
 BINDINGS = {"Transforms": 0, "Materials": 1, "Lights": 2, "Raster": 3, "Texturing": 4}
 RECTANGLE_UNIT = TEXTURE_UNITS  # the texture unit beyond those of the API, for pixel rectangles

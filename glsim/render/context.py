@@ -9,21 +9,19 @@ import weakref
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
 from glsim.machine import constants as gl
-from glsim.machine.current import Place, current_again, current_machine, here, make_current
+from glsim.machine.current import current_again, current_machine, make_current
 from glsim.machine.frame import Packet
 from glsim.machine.interrupts import uninterrupted
 from glsim.machine.machine import Machine
-from glsim.render.device import forked, open_loader, refuse_fork
+from glsim.render.device import refuse_fork
 from glsim.render.draw import Renderer
-from glsim.render.egl import EGLLoader
+from glsim.render.driver import DriverContext, abandon, release_abandoned
 from glsim.render.gpu import Framebuffer
-from glsim.render.osmesa import OSMesaLoader
 from glsim.render.raw import RawGL
 
 if TYPE_CHECKING:
@@ -38,56 +36,6 @@ READABLE: dict[str, tuple[int, int]] = {
     "depth": (gl.GL_DEPTH_COMPONENT, gl.GL_FLOAT),
     "stencil": (gl.GL_STENCIL_INDEX, gl.GL_UNSIGNED_BYTE),
 }
-
-
-class _Opened:
-    """A context of the driver, and the thread that it belongs to."""
-
-    def __init__(self, backend: str) -> None:
-        self.backend, self.loader = open_loader(backend)
-        try:
-            self.ctx = moderngl.create_context(context=self.loader, require=330)
-        except BaseException:
-            self.loader.release()
-            raise
-        self.take()
-
-    def take(self) -> None:
-        """Make the calling thread the owner; when that thread ends, the context has no owner."""
-        self.place: weakref.ref[Place] = weakref.ref(here())
-        self.farewell = weakref.finalize(here(), self._let_go, self.loader)
-        self.farewell.atexit = False
-
-    def is_free(self) -> bool:
-        """Whether the calling thread may use it: it is the owner, or the owner has ended."""
-        return self.place() in (None, here())
-
-    @staticmethod
-    def _let_go(loader: Any) -> None:
-        if isinstance(loader, (EGLLoader, OSMesaLoader)) and not forked():
-            loader.release_current()
-
-    def detach(self) -> None:
-        self._let_go(self.loader)
-
-    def release(self) -> None:
-        self.farewell.detach()
-        with uninterrupted():
-            self.loader.__enter__()
-            self.ctx.release()  # releases the loader too
-            if isinstance(self.loader, EGLLoader):
-                self.loader.__exit__()
-
-
-_abandoned: list[_Opened] = []  # contexts without a reference left, to be released at the next occasion
-
-
-def release_abandoned() -> None:
-    """Release the contexts that nobody holds, of this thread and of those that have ended; not while one is drawing."""
-    for opened in [opened for opened in _abandoned if opened.is_free()]:
-        with contextlib.suppress(Exception):
-            _abandoned.remove(opened)  # ValueError: another thread was faster
-            opened.release()
 
 
 def _checked_size(call: str, width: int, height: int) -> tuple[int, int]:
@@ -116,10 +64,10 @@ class Offscreen:
         self._before = weakref.ref(before) if isinstance(before, Machine) else None
         self._previous: list[Any] = []
         with uninterrupted():
-            self._opened = _Opened(backend)
-            self.backend, self.ctx = self._opened.backend, self._opened.ctx
+            self._driver = DriverContext(backend)
+            self.backend, self.ctx = self._driver.backend, self._driver.ctx
             self.samples = self._samples(samples)
-            self._raw = RawGL(self._opened.loader)
+            self._raw = RawGL(self._driver.loader)
             self._depths: list[ctypes.c_uint] = []  # names of the renderbuffers of depth and stencil
             self._target = self._framebuffer(self.samples)
             self._resolved = self._framebuffer(0) if self.samples else self._target
@@ -194,12 +142,11 @@ class Offscreen:
         self._released = True
         if current_machine() is self.machine:
             make_current(None)
-        self._opened.release()
+        self._driver.release()
 
     def __del__(self) -> None:
-        # Python may collect this while another context draws, which must stay current: release it a little later.
-        if hasattr(self, "_opened") and not self._released:
-            _abandoned.append(self._opened)
+        if hasattr(self, "_driver") and not self._released:
+            abandon(self._driver)
 
     def check(self) -> None:
         """Raise RuntimeError if the context was released, or belongs to another thread that is alive.
@@ -209,13 +156,13 @@ class Offscreen:
         release_abandoned()
         if self._released:
             raise RuntimeError("this context was released: make another one with glsim.offscreen")
-        if not self._opened.is_free():
+        if not self._driver.is_free():
             raise RuntimeError(
                 "a context can only be drawn with in the thread that made it: each thread opens its own, with"
                 " glsim.offscreen"
             )
-        if self._opened.place() is None:
-            self._opened.take()
+        if self._driver.owner() is None:
+            self._driver.take()
 
     # ------------------------------------------------------------ what the machine asks of its device
 
@@ -226,7 +173,7 @@ class Offscreen:
 
     def detach(self) -> None:
         """Let another library's context be current in this thread, until something is drawn here again."""
-        self._opened.detach()
+        self._driver.detach()
 
     def finish(self) -> None:
         self.check()

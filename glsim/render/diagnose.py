@@ -20,12 +20,12 @@ def diagnose() -> dict[str, Any]:
     """
     from glsim.version import __version__
 
-    backends = [_try(name) for name in (*[name for name, _ in order("auto")], *_others())]
+    backends = [_try(name) for name in (*[name for name, _ in order("auto")], *_other_backends())]
     return {
         "glsim": __version__,
         "python": platform.python_version(),
         "platform": f"{platform.system()} {platform.release()} {platform.machine()}",
-        "packages": {name: found for name in PACKAGES if (found := _version(name))},
+        "packages": {name: installed for name in PACKAGES if (installed := _version(name))},
         "backends": backends,
         "devices": _devices() if sys.platform.startswith("linux") else [],
         "native fixed function": _native(),
@@ -33,10 +33,10 @@ def diagnose() -> dict[str, Any]:
     }
 
 
-def _others() -> list[str]:
+def _other_backends() -> list[str]:
     """Backends of this platform that the default order leaves out (because GLSIM_BACKEND names another)."""
-    here = ("egl", "osmesa", "x11") if sys.platform.startswith("linux") else ("native",)
-    return [name for name in here if name not in dict(order("auto"))]
+    backends = ("egl", "osmesa", "x11") if sys.platform.startswith("linux") else ("native",)
+    return [name for name in backends if name not in dict(order("auto"))]
 
 
 def _version(package: str) -> str:
@@ -67,13 +67,13 @@ def _devices() -> list[dict[str, Any]]:
     """The EGL devices, by the index that ``backend="egl:N"`` takes."""
     from glsim.render.egl import count_devices
 
-    found = []
+    devices = []
     for index in range(count_devices()):
         try:
-            found.append({"index": index, **_describe("egl", index)})
+            devices.append({"index": index, **_describe("egl", index)})
         except Exception as error:
-            found.append({"index": index, "renderer": f"does not open: {one_line(error)}", "version": ""})
-    return found
+            devices.append({"index": index, "renderer": f"does not open: {one_line(error)}", "version": ""})
+    return devices
 
 
 def _native() -> dict[str, Any]:

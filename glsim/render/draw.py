@@ -21,10 +21,10 @@ from glsim.render.batch import MOST_OBJECTS, Batch, Plan, plans
 from glsim.render.compile import BINDINGS, build
 from glsim.render.corestate import CoreState
 from glsim.render.gpu import GPU, Buffer, Commands, Program
+from glsim.render.key import ProgramKey, draw_key
 from glsim.render.lines import margin
 from glsim.render.outline import prepare
 from glsim.render.pixels import Fragments, Reader, as_fragments, merged_bitmaps
-from glsim.render.programs import ProgramKey, draw_key
 from glsim.render.source import INPUTS, Source
 from glsim.render.textures import Textures
 from glsim.render.uniforms import LIGHTS, RASTER, ROW_SIZE, TEXTURING
@@ -144,14 +144,14 @@ class Renderer:
 
     def draw(self, draws: Sequence[Draw], pixels: Fragments | None = None) -> None:
         """Draw primitives.  pixels: what the fragments take from a rectangle of pixels."""
-        objects, todo = plans(list(prepare(draws)), self.limit)
+        objects, drawing_plans = plans(list(prepare(draws)), self.limit)
         if not objects:
             return  # every polygon is culled, or none is complete
         room = (len(objects) + self.limit) * ROW_SIZE  # a block always has `limit` rows, wherever it begins
         self._write("Transforms", uniforms.transforms(objects), room)
         self._write("Materials", uniforms.materials(objects), room)
-        for plan in todo:
-            source = self._kept(plan) if plan.instances else self._streamed(plan)
+        for plan in drawing_plans:
+            source = self._static_source(plan) if plan.instances else self._streamed_source(plan)
             for batch in plan.batches:
                 if batch.count:
                     self._draw_batch(batch, plan, source, pixels)
@@ -188,7 +188,7 @@ class Renderer:
             self.inputs[key] = [name for name in INPUTS if name in program]
         return self.programs[key]
 
-    def _streamed(self, plan: Plan) -> Source:
+    def _streamed_source(self, plan: Plan) -> Source:
         """The buffers that are written anew for each plan."""
         source = self.stream
         source.write("rows", plan.vertices.rows, self.busy)
@@ -198,7 +198,7 @@ class Renderer:
         source.columns.clear()
         return source
 
-    def _kept(self, plan: Plan) -> Source:
+    def _static_source(self, plan: Plan) -> Source:
         """The buffers of a display list: written once."""
         source = self.static.get(plan.vertices)
         if source is None:

@@ -85,14 +85,14 @@ class EGLLoader:
         self.egl = _library()
         if device is None and os.environ.get("GLCONTEXT_DEVICE_INDEX", "").isdigit():
             device = int(os.environ["GLCONTEXT_DEVICE_INDEX"])
-        said = "EGL has neither devices nor a surfaceless platform"
+        message = "EGL has neither devices nor a surfaceless platform"
         for display in self._displays(device):
             try:
                 self._open(display, core, width, height)
                 return
             except RuntimeError as error:
-                said = str(error)
-        raise RuntimeError(said)
+                message = str(error)
+        raise RuntimeError(message)
 
     def _displays(self, device: int | None) -> list[int]:
         """The displays to try: the device asked for; or else devices of other drivers than Mesa, Mesa's surfaceless
@@ -102,17 +102,17 @@ class EGLLoader:
         if not address:
             return []
         get = ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_uint, ctypes.c_void_p, ctypes.c_void_p)(address)
-        own = _ints((TRACK_REFERENCES, 1, EGL_NONE)) if b"EGL_KHR_display_reference" in extensions else None
+        attributes = _ints((TRACK_REFERENCES, 1, EGL_NONE)) if b"EGL_KHR_display_reference" in extensions else None
         devices = _devices(self.egl)
         if device is not None:
             if device >= len(devices):
                 raise RuntimeError(f"there is no EGL device {device}: {len(devices)} found")
-            return [get(PLATFORM_DEVICE, devices[device], own)]
-        places = [(PLATFORM_DEVICE, found) for found in devices if _is_nvidia(self.egl, found)]
+            return [get(PLATFORM_DEVICE, devices[device], attributes)]
+        places = [(PLATFORM_DEVICE, candidate) for candidate in devices if _is_nvidia(self.egl, candidate)]
         if b"EGL_MESA_platform_surfaceless" in extensions:
             places.append((PLATFORM_SURFACELESS, 0))
-        places += [(PLATFORM_DEVICE, found) for found in devices]
-        return [display for platform, found in places if (display := get(platform, found, own))]
+        places += [(PLATFORM_DEVICE, candidate) for candidate in devices]
+        return [display for platform, candidate in places if (display := get(platform, candidate, attributes))]
 
     def _open(self, display: int, core: bool, width: int, height: int) -> None:
         egl, self.display = self.egl, ctypes.c_void_p(display)
@@ -125,8 +125,8 @@ class EGLLoader:
             raise RuntimeError("EGL has no configuration with desktop OpenGL and a pbuffer")
         size = _ints((EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE))
         self.surface = ctypes.c_void_p(egl.eglCreatePbufferSurface(self.display, config, size))
-        wish = _ints(CORE if core else (EGL_NONE,))
-        self.context = ctypes.c_void_p(egl.eglCreateContext(self.display, config, None, wish))
+        attributes = _ints(CORE if core else (EGL_NONE,))
+        self.context = ctypes.c_void_p(egl.eglCreateContext(self.display, config, None, attributes))
         if not self.surface.value or not self.context.value:
             raise RuntimeError(f"eglCreateContext failed (EGL error 0x{egl.eglGetError():X})")
         self.previous: list[tuple[Any, ...]] = []

@@ -35,16 +35,16 @@ class Folder:
     """Reads one function or declaration and writes it folded."""
 
     def __init__(self, constants: Constants, tokens: list[Token]) -> None:
-        self.constants, self.tokens, self.at = constants, tokens, 0
+        self.constants, self.tokens, self.position = constants, tokens, 0
 
     def peek(self, ahead: int = 0) -> str:
-        return self.tokens[self.at + ahead].text if self.at + ahead < len(self.tokens) else ""
+        return self.tokens[self.position + ahead].text if self.position + ahead < len(self.tokens) else ""
 
     def take(self, expected: str = "") -> Token:
-        token = self.tokens[self.at]
+        token = self.tokens[self.position]
         if expected and token.text != expected:
             raise ValueError(f"{expected} was expected, not {token.text}")
-        self.at += 1
+        self.position += 1
         return token
 
     def piece(self) -> list[Token]:
@@ -53,7 +53,7 @@ class Folder:
             result = []
             while self.peek() != "{":
                 result.append(self.take())
-            result += self.block() + self.tokens[self.at :]
+            result += self.block() + self.tokens[self.position :]
             self.constants.scalars = known
             return result
         return [self._literal(token) for token in self.tokens]
@@ -102,13 +102,13 @@ class Folder:
         result: list[Token] = []
         name = self.peek(1)
         if self.peek() == "bool" and self.peek(2) == "=":
-            self.at += 3
+            self.position += 3
             value = self.expression().value
             if value is not None and self.peek() == ";":
                 self.take()
                 self.constants.scalars[name] = value
                 return []
-            self.at = next(k for k in range(self.at, -1, -1) if self.tokens[k].text == "bool")
+            self.position = next(k for k in range(self.position, -1, -1) if self.tokens[k].text == "bool")
         while self.peek() != ";":
             result += self.expression().tokens
             while self.peek() not in (";", "") and not self._begins_expression():
@@ -135,13 +135,13 @@ class Folder:
             tail = [word, *other] if other is not None and _words(other) else []
             return [start, opening, *condition.tokens, closing, *body, *tail]
         chosen = body if condition.value else other
-        kept = _unwrapped(chosen, start.space) if chosen is not None else []
-        if not kept and self.at < len(self.tokens):  # a comment behind it goes with it
-            following = self.tokens[self.at]
+        piece = _unwrapped(chosen, start.space) if chosen is not None else []
+        if not piece and self.position < len(self.tokens):  # a comment behind it goes with it
+            following = self.tokens[self.position]
             before, newline, _ = start.space.partition("\n")  # what stands behind the statement before stays
             following.space = following.space[following.space.find("\n") :] if "\n" in following.space else ""
             following.space = (before if newline else "") + following.space
-        return kept
+        return piece
 
     def _for(self) -> list[Token]:
         start = [self.take("for"), self.take("(")]

@@ -89,11 +89,11 @@ def _true(condition: str, macros: dict[str, str]) -> bool:
 def tokens_of(text: str) -> list[Token]:
     """Words, numbers and operators, each with the white space and comments in front of it."""
     tokens, space = [], ""
-    for found in TOKEN.finditer(text):
-        if found.lastgroup == "space":
-            space += found[0]
+    for match in TOKEN.finditer(text):
+        if match.lastgroup == "space":
+            space += match[0]
         else:
-            tokens.append(Token(found[0], space))
+            tokens.append(Token(match[0], space))
             space = ""
     return tokens
 

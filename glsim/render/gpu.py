@@ -1,7 +1,8 @@
 """What the renderer needs of a GPU, as protocols: moderngl's objects and raw.RawGL fulfil them, and so can an object
 that only writes down what it is told.
 
-Arguments mean what they mean in moderngl; enumerants are OpenGL's.  Only context.py makes the real objects.
+Arguments mean what they mean in moderngl; enumerants are OpenGL's.  Only driver.py and context.py make the real
+objects.
 """
 
 from __future__ import annotations

@@ -125,15 +125,15 @@ class Inspector:
         if isinstance(packet, Pixels):
             read: Reader = self.screen._reread
             for rectangle in as_fragments(packet, (self.screen.width, self.screen.height), read):
-                whole = _alone(rectangle.draw, assembled(rectangle.draw))
-                yield Piece(number, whole, 3, 3, None, rectangle)
+                quad = _alone(rectangle.draw, assembled(rectangle.draw))
+                yield Piece(number, quad, 3, 3, None, rectangle)
         elif isinstance(packet, Draw):
             for part in prepare([packet]):
                 for draw in separate(part, self.renderer.limit):
                     chosen, kind = assembled(draw), corners(draw.mode)
                     size = 6 if kind == 2 and widened(draw.state) else kind
-                    own = draw.block is packet.block
-                    source = chosen.reshape(-1, kind) - np.uint32(packet.first) if own else None
+                    same_block = draw.block is packet.block
+                    source = chosen.reshape(-1, kind) - np.uint32(packet.first) if same_block else None
                     if len(chosen):
                         yield Piece(number, _alone(draw, chosen), kind, size, source)
 
@@ -201,8 +201,8 @@ class Inspector:
                     pieces.append(piece)
             self.screen.execute([packet])
         with uninterrupted(), self.screen.ctx:
-            place, primitive = (self._whole(probe) for probe in (0, 1))
-            depth = self._whole_depth()
+            place, primitive = (self._read_probe(probe) for probe in (0, 1))
+            depth = self._read_depth()
         number: NDArray[np.int64] = np.rint(primitive[..., 0]).astype(np.int64) - 1
         sizes = np.array([2 if piece.size == 6 else 1 for piece in pieces] or [1])
         numbers = np.rint(primitive[..., 1]).astype(np.int64) // sizes[np.maximum(number, 0)]
@@ -220,11 +220,11 @@ class Inspector:
             self.target.use()
             self.renderer.probe(number, _marked(piece, state._replace(color_buffer=colors)), piece.pixels)
 
-    def _whole(self, probe: int) -> NDArray[np.float32]:
+    def _read_probe(self, probe: int) -> NDArray[np.float32]:
         data = self.target.read(components=4, attachment=1 + probe, dtype="f4")
         return np.frombuffer(data, np.float32).reshape(self.screen.height, self.screen.width, 4)[::-1]
 
-    def _whole_depth(self) -> NDArray[np.float32]:
+    def _read_depth(self) -> NDArray[np.float32]:
         depth = np.zeros((self.screen.height, self.screen.width), np.float32)
         self.target.use()
         self.renderer.raw.glPixelStorei(gl.GL_PACK_ALIGNMENT, 1)

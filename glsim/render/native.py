@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from glsim.machine import constants as gl
 from glsim.machine.commands import COMMANDS, Command
 from glsim.machine.frame import Call
-from glsim.machine.pixels import PACKED
+from glsim.machine.packing import PACKED
 from glsim.machine.types import DTYPES, SUFFIXES, raw_bytes
 from glsim.render.device import one_line, opening
 from glsim.render.egl import EGLLoader
@@ -49,12 +49,12 @@ class Native:
     def __init__(self, width: int, height: int, backends: Sequence[str] = ("egl", "osmesa")) -> None:
         self.width, self.height = width, height
         opening()
-        said = []
+        failures = []
         for name in backends:
             try:
                 self.loader: Any = LOADERS[name](core=False, width=width, height=height)
             except Exception as error:
-                said.append(f"{name}: {one_line(error)}")
+                failures.append(f"{name}: {one_line(error)}")
                 continue
             self.backend = name
             self.functions: dict[str, Any] = {}
@@ -63,9 +63,9 @@ class Native:
             if self._is_compatibility():
                 self.loader.release_current()
                 return
-            said.append(f"{name}: {self.version} has no fixed function")
+            failures.append(f"{name}: {self.version} has no fixed function")
             self.loader.release()
-        raise NoNativeError("no native fixed function: " + "; ".join(said))
+        raise NoNativeError("no native fixed function: " + "; ".join(failures))
 
     def _string(self, name: int) -> str:
         address = self.loader.load("glGetString")
@@ -87,14 +87,14 @@ class Native:
         self.loader.make_current()
         try:
             self._reset()
-            kept: list[Any] = []  # arrays that pointers lead to
+            arrays: list[Any] = []  # arrays that pointers lead to
             inside = False
             for name, arguments, *_ in calls:
                 command = COMMANDS[name]
                 if command.result:
                     continue
                 for one, passed in c_calls(name, arguments):
-                    self._call(one, pass_on(COMMANDS[one], passed, kept))
+                    self._call(one, pass_on(COMMANDS[one], passed, arrays))
                 inside = name == "glBegin" or (inside and name != "glEnd")
                 code = 0 if inside else self.error()
                 if code and errors is not None:
@@ -203,7 +203,7 @@ ELEMENTS: dict[str, type] = {"textures": np.uint32, "buffers": np.uint32, "ids":
 BYTES = {("glBitmap", "data"), ("glPolygonStipple", "mask"), ("glEdgeFlagPointer", "pointer")}
 
 
-def pass_on(command: Command, arguments: Arguments, kept: list[Any]) -> Arguments:
+def pass_on(command: Command, arguments: Arguments, arrays: list[Any]) -> Arguments:
     """Python arguments of a recorded call -> what ctypes passes to the C function."""
     passed: list[Any] = []
     names = dict(zip(command.parameters, arguments, strict=False))
@@ -212,7 +212,7 @@ def pass_on(command: Command, arguments: Arguments, kept: list[Any]) -> Argument
             passed.append(value)  # an offset into a buffer object
         elif kind == "data":
             array = memory(value, _element(command, parameter, names.get("type")))
-            kept.append(array)
+            arrays.append(array)
             passed.append(array.ctypes.data)
         elif kind in ("f", "d"):
             passed.append(float(value))

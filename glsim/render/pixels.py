@@ -34,7 +34,7 @@ Reader = Callable[[int, int, int, int, str], NDArray[Any]]
 
 
 class Fragments(NamedTuple):
-    """A Draw, and the picture that its fragments look up: kind as in programs.PIXELS; origin: its lower left pixel."""
+    """A Draw, and the picture that its fragments look up: kind as in key.PIXELS; origin: its lower left pixel."""
 
     kind: str
     image: NDArray[Any]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from glsim.machine.frame import Vertices
 from glsim.machine.state import TEXTURE_UNITS
 from glsim.render.gpu import GPU, Buffer, Program, VertexArray
-from glsim.render.programs import ProgramKey
+from glsim.render.key import ProgramKey
 
 # Inputs of main.vert beside position, normal and color: how they lie in a buffer, and the column they come from.
 INPUTS = {

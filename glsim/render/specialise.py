@@ -17,8 +17,8 @@ def specialised(source: str) -> str:
     text, constants = preprocessed(source)
     pieces = top_level(tokens_of(text))
     folded = [Folder(constants, piece).piece() for piece in pieces]
-    kept = used([piece for piece in folded if piece], constants)
-    body = "".join(token.space + token.text for piece in kept for token in piece)
+    chosen = used([piece for piece in folded if piece], constants)
+    body = "".join(token.space + token.text for piece in chosen for token in piece)
     body = re.sub(r"[ \t]+\n", "\n", body)
     body = re.sub(r"(\);)(// )", r"\1\n\n\2", body)
     return "#version 330 core\n" + re.sub(r"\n{3,}", "\n\n", body).strip() + "\n"
@@ -38,16 +38,16 @@ def used(pieces: list[list[Token]], constants: Constants) -> list[list[Token]]:
     names = [_declares(piece) for piece in pieces]
     words = [{token.text for token in piece if re.match(r"[A-Za-z_]", token.text)} for piece in pieces]
     needed = {"main"}
-    kept: set[int] = set()
+    chosen: set[int] = set()
     growing = True
     while growing:
         growing = False
         for k, declared in enumerate(names):
-            if k not in kept and declared & needed:
-                kept.add(k)
+            if k not in chosen and declared & needed:
+                chosen.add(k)
                 needed |= words[k] - KEYWORDS
                 growing = True
-    return [piece for k, piece in enumerate(pieces) if k in kept]
+    return [piece for k, piece in enumerate(pieces) if k in chosen]
 
 
 def _array(name: str, values: list[Value]) -> list[Token]:

@@ -50,15 +50,15 @@ class Textures:
         assert texture is not None
         target = TARGETS[texture.kind]
         raw.glActiveTexture(gl.GL_TEXTURE0 + number)
-        kept = self.names.get(texture.images)
-        if kept is None:
+        uploaded = self.names.get(texture.images)
+        if uploaded is None:
             self._delete_garbage()
-            kept = self.names[texture.images] = _Name(self._upload(texture, target), self.garbage)
-        raw.glBindTexture(target, kept.name)
+            uploaded = self.names[texture.images] = _Name(self._upload(texture, target), self.garbage)
+        raw.glBindTexture(target, uploaded.name)
         parameters = texture.sampler, unit.lod_bias
-        if kept.parameters != parameters:
+        if uploaded.parameters != parameters:
             self._set_parameters(texture, target, unit.lod_bias)
-            kept.parameters = parameters
+            uploaded.parameters = parameters
 
     def rectangle(self, image: NDArray[Any]) -> None:
         """Make a rectangle of pixels the one that main.frag looks up."""

@@ -43,11 +43,11 @@ MEMBER = re.compile(r"(\w+)\s+(\w+)(?:\[(\d+)\])?;")
 def layouts(file: str) -> dict[str, np.dtype[np.void]]:
     """The structures and uniform blocks that a file in shaders/ declares; not those whose size is a constant's."""
     text = re.sub(r"//[^\n]*", "", (data_folder("shaders") / file).read_text(encoding="utf-8"))
-    found: dict[str, np.dtype[np.void]] = {}
+    dtypes: dict[str, np.dtype[np.void]] = {}
     for name, body in DECLARATION.findall(text):
         if "[OBJECTS]" not in body:
-            found[name] = std140(MEMBER.findall(body), found)
-    return found
+            dtypes[name] = std140(MEMBER.findall(body), dtypes)
+    return dtypes
 
 
 def std140(members: Sequence[tuple[str, str, str]], structures: dict[str, np.dtype[np.void]]) -> np.dtype[np.void]:
@@ -79,15 +79,15 @@ ATTENUATION = ("constant_attenuation", "linear_attenuation", "quadratic_attenuat
 
 def transforms(objects: Sequence[Object]) -> Rows:
     """struct Transform for each object: (n,) TRANSFORM."""
-    evaluate({matrix: None for thing in objects for matrix in thing.matrices})
-    modelview = np.array([thing.matrices[0].value for thing in objects])
-    projection = np.array([thing.matrices[1].value for thing in objects])
+    evaluate({matrix: None for entry in objects for matrix in entry.matrices})
+    modelview = np.array([entry.matrices[0].value for entry in objects])
+    projection = np.array([entry.matrices[1].value for entry in objects])
     rows = np.zeros(len(objects), TRANSFORM)
     with np.errstate(all="ignore"):
         rows["modelview_projection"] = multiply(projection, modelview)
     rows["modelview"] = modelview
     rows["normal"][..., :3] = inverse_transpose(modelview)
-    rows["texture"] = [thing.matrices[2].value for thing in objects]
+    rows["texture"] = [entry.matrices[2].value for entry in objects]
     return rows
 
 
@@ -95,14 +95,14 @@ def materials(objects: Sequence[Object]) -> Rows:
     """struct Material for each object: (n,) MATERIAL."""
     number: dict[int, int] = {}  # of each different material
     different: list[Material] = []
-    for thing in objects:
-        if id(thing.material) not in number:
-            number[id(thing.material)] = len(different)
-            different.append(thing.material)
+    for entry in objects:
+        if id(entry.material) not in number:
+            number[id(entry.material)] = len(different)
+            different.append(entry.material)
     table = np.array([(*material, 0.0, 0.0) for material in different], MATERIAL)  # the fields of a Face are FACE's
     if len(different) != len(objects):
-        table = table[[number[id(thing.material)] for thing in objects]]
-    table["color"] = [thing.color or (0.0, 0.0, 0.0, 0.0) for thing in objects]
+        table = table[[number[id(entry.material)] for entry in objects]]
+    table["color"] = [entry.color or (0.0, 0.0, 0.0, 0.0) for entry in objects]
     return table
 
 

@@ -14,29 +14,13 @@ from glsim.scenes.load import fit, load
 from glsim.scenes.materials import MATERIALS, material
 from glsim.scenes.mesh import Mesh, MeshError
 from glsim.scenes.shapes import cube, sphere, teapot, terrain, torus
+from glsim.scenes.staging import Camera, Lamp
 
-__all__ = ["BUILT_IN", "MATERIALS", "Camera", "Mesh", "MeshError", "Scene", "load", "material", "open_scene"]
-
-
-@dataclass(frozen=True)
-class Camera:
-    """Looks at the origin.  azimuth, elevation, angle of view: degrees; distance: radii of the scene."""
-
-    azimuth: float = 25.0
-    elevation: float = 20.0
-    distance: float = 4.0
-    angle: float = 30.0
-
-
-@dataclass(frozen=True)
-class Lamp:
-    """A white light.  position: (x, y, z, w) in eye space, w = 0 for a direction; brightness: of I_d and I_s."""
-
-    position: tuple[float, float, float, float]
-    brightness: float = 1.0
+__all__ = ["BUILT_IN", "MATERIALS", "Camera", "Lamp", "Mesh", "MeshError", "Scene", "load", "material", "open_scene"]
 
 
 # A key light from the upper left, and a weak one from the right so that no side is black.
+DEFAULT_CAMERA = Camera()
 DEFAULT_LIGHTS = (Lamp((-3.0, 4.0, 5.0, 0.0), 0.95), Lamp((5.0, 1.0, 3.0, 0.0), 0.25))
 
 
@@ -47,7 +31,7 @@ class Scene:
     name: str
     meshes: Sequence[Mesh]
     material: Face = MATERIALS["brass"]
-    camera: Camera = Camera()
+    camera: Camera = DEFAULT_CAMERA
     lights: Sequence[Lamp] = DEFAULT_LIGHTS
     two_sided: bool = False
     background: tuple[float, float, float] = field(default=(0.13, 0.14, 0.17))
@@ -73,16 +57,29 @@ class Scene:
         gl.glMatrixMode(gl.GL_MODELVIEW)
         gl.glLoadIdentity()
         for number, light in enumerate(self.lights):
-            color = [light.brightness] * 3 + [1.0]
-            gl.glEnable(gl.GL_LIGHT0 + number)
-            gl.glLightfv(gl.GL_LIGHT0 + number, gl.GL_POSITION, light.position)
-            gl.glLightfv(gl.GL_LIGHT0 + number, gl.GL_DIFFUSE, color)
-            gl.glLightfv(gl.GL_LIGHT0 + number, gl.GL_SPECULAR, color)
+            _switch_on(gl.GL_LIGHT0 + number, light, self.camera.distance)
         gl.glTranslatef(0.0, 0.0, -self.camera.distance)
         gl.glRotatef(self.camera.elevation, 1.0, 0.0, 0.0)
         gl.glRotatef(-self.camera.azimuth, 0.0, 1.0, 0.0)
         for mesh in self.meshes:
             draw_mesh(mesh, mesh.material or self.material)
+
+
+def _switch_on(light: int, lamp: Lamp, distance: float) -> None:
+    """Set and enable GL_LIGHTi while the modelview matrix is the identity; distance: of the eye from the middle."""
+    from glsim import gl
+
+    color = [lamp.brightness] * 3 + [1.0]
+    gl.glEnable(light)
+    gl.glLightfv(light, gl.GL_POSITION, lamp.position)
+    gl.glLightfv(light, gl.GL_DIFFUSE, color)
+    gl.glLightfv(light, gl.GL_SPECULAR, color)
+    if lamp.position[3] != 0.0:
+        gl.glLightfv(light, gl.GL_SPOT_DIRECTION, lamp.aim((0.0, 0.0, -distance)))
+        gl.glLightf(light, gl.GL_SPOT_CUTOFF, lamp.cutoff)
+        gl.glLightf(light, gl.GL_SPOT_EXPONENT, lamp.exponent)
+        for name, k in zip(("CONSTANT", "LINEAR", "QUADRATIC"), lamp.attenuation, strict=True):
+            gl.glLightf(light, getattr(gl, f"GL_{name}_ATTENUATION"), k)
 
 
 def draw_mesh(mesh: Mesh, face: Face) -> None:
@@ -132,7 +129,7 @@ class _BuiltIn:
     meshes: Callable[[int], list[Mesh]]
     slices: int
     material: str
-    camera: Camera = Camera()
+    camera: Camera = DEFAULT_CAMERA
     lights: Sequence[Lamp] = DEFAULT_LIGHTS
 
 

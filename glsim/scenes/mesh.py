@@ -102,11 +102,11 @@ def with_normals(positions: NDArray[Any], triangles: Uint, crease: float = 40.0)
     sums = np.zeros((int(place.max(initial=-1)) + 1, 3))
     for block in blocks(triangles):
         corners = positions[triangles[block]].astype(np.float64)
-        own = unit(area_vectors(positions, triangles[block]))
+        face_normals = unit(area_vectors(positions, triangles[block]))
         to_next, to_last = (unit(np.roll(corners, shift, axis=1) - corners) for shift in (-1, 1))
         angles = np.arccos(np.clip(np.einsum("mck,mck->mc", to_next, to_last), -1, 1))
         for corner in range(3):
-            where, weighted = place[triangles[block, corner]], angles[:, corner, None] * own
+            where, weighted = place[triangles[block, corner]], angles[:, corner, None] * face_normals
             for axis in range(3):
                 sums[:, axis] += np.bincount(where, weighted[:, axis], minlength=len(sums))
     smooth = unit(sums).astype(np.float32)[place]  # (n, 3)
@@ -114,10 +114,10 @@ def with_normals(positions: NDArray[Any], triangles: Uint, crease: float = 40.0)
     corner_normals = np.empty((len(triangles), 3, 3), np.float32)
     any_sharp = False
     for block in blocks(triangles):
-        own = unit(area_vectors(positions, triangles[block])).astype(np.float32)
+        face_normals = unit(area_vectors(positions, triangles[block])).astype(np.float32)
         mean = smooth[triangles[block]]
-        sharp = np.einsum("mck,mk->mc", mean, own) < limit
-        corner_normals[block] = np.where(sharp[..., None], own[:, None, :], mean)
+        sharp = np.einsum("mck,mk->mc", mean, face_normals) < limit
+        corner_normals[block] = np.where(sharp[..., None], face_normals[:, None, :], mean)
         any_sharp |= bool(sharp.any())
     if not any_sharp:
         return Mesh(positions, smooth, triangles, _no_quads())

@@ -80,9 +80,9 @@ class BRDF(ABC):
         rng = np.random.default_rng(seed)
         N = np.broadcast_to((0.0, 0.0, 1.0), (pairs, 3))
         L, V = (around(N, rng.uniform(0.01, 1.0, pairs), rng.uniform(0.0, 2 * PI, pairs)) for _ in range(2))
-        there, back = self.evaluate(N, L, V), self.evaluate(N, V, L)
-        largest = np.maximum(np.maximum(there, back), 1e-12)
-        return float(np.max(np.abs(there - back) / largest))
+        f_LV, f_VL = self.evaluate(N, L, V), self.evaluate(N, V, L)
+        largest = np.maximum(np.maximum(f_LV, f_VL), 1e-12)
+        return float(np.max(np.abs(f_LV - f_VL) / largest))
 
 
 def _cosine_power(axis: Float, n: float, u: ArrayLike) -> Float:

@@ -94,21 +94,21 @@ class Contribution(NamedTuple):
 
 
 class Illumination(NamedTuple):
-    """All terms, (..., 3) each, not clamped.  glow: k_a times the scene's ambient light."""
+    """All terms, (..., 3) each, not clamped.  ambient: k_a times the scene's ambient light."""
 
     emission: Float
-    glow: Float
+    ambient: Float
     lights: list[Contribution]
 
     @property
     def highlight(self) -> Float:
         """The specular terms of all lights."""
-        return np.asarray(sum((light.specular for light in self.lights), np.zeros_like(self.glow)))
+        return np.asarray(sum((light.specular for light in self.lights), np.zeros_like(self.ambient)))
 
     @property
     def color(self) -> Float:
         """Everything but the specular terms."""
-        return np.asarray(sum((light.ambient + light.diffuse for light in self.lights), self.emission + self.glow))
+        return np.asarray(sum((light.ambient + light.diffuse for light in self.lights), self.emission + self.ambient))
 
     @property
     def sum(self) -> Float:
@@ -119,12 +119,12 @@ def towards(light: LightSource, P: Float) -> tuple[Float, Float, Float]:
     """Unit vectors to the light from points P (..., 3), distances (..., 1) and attenuation (..., 1)."""
     position, w = np.asarray(light.position[:3], np.float64), light.position[3]
     if w == 0.0:
-        one = np.ones((*P.shape[:-1], 1))
-        return np.broadcast_to(normalize(position), P.shape), one * np.inf, one
-    way = position / w - P
-    d = np.sqrt(dot(way, way))
+        ones = np.ones((*P.shape[:-1], 1))
+        return np.broadcast_to(normalize(position), P.shape), ones * np.inf, ones
+    to_light = position / w - P
+    d = np.sqrt(dot(to_light, to_light))
     k = light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation
-    return normalize(way), d, attenuation(d, *k)
+    return normalize(to_light), d, attenuation(d, *k)
 
 
 def contribution(
@@ -134,14 +134,14 @@ def contribution(
     L, d, attenuated = towards(light, P)
     spot = spotlight(L, normalize(light.spot_direction), light.spot_cutoff, light.spot_exponent)
     strength = attenuated * spot
-    turned = towards_light(N, L, flip)
-    N_L = dot(turned, L)
-    H_or_R = reflection(turned, L) if lobe == "phong" else halfway(L, V)
-    cosine = dot(H_or_R, V) if lobe == "phong" else dot(turned, H_or_R)
+    N = towards_light(N, L, flip)
+    N_L = dot(N, L)
+    H_or_R = reflection(N, L) if lobe == "phong" else halfway(L, V)
+    cosine = dot(H_or_R, V) if lobe == "phong" else dot(N, H_or_R)
     highlight = np.where(N_L > 0.0, power(cosine, surface.n), 0.0)
     I_a, I_d, I_s = (np.asarray(color[:3], np.float64) for color in (light.ambient, light.diffuse, light.specular))
     return Contribution(
-        L, d, attenuated, spot, turned, N_L, np.broadcast_to(V, L.shape), H_or_R, cosine, highlight,
+        L, d, attenuated, spot, N, N_L, np.broadcast_to(V, L.shape), H_or_R, cosine, highlight,
         ambient=strength * np.asarray(surface.k_a) * I_a,
         diffuse=strength * np.asarray(surface.k_d) * I_d * np.maximum(N_L, 0.0),
         specular=strength * np.asarray(surface.k_s) * I_s * highlight,
@@ -171,6 +171,6 @@ def illuminate(
     V = normalize(-P) if local_viewer else np.array([0.0, 0.0, 1.0])
     shape = np.broadcast_shapes(N.shape, P.shape)
     emission = np.broadcast_to(surface.emission, shape).astype(np.float64)
-    glow = np.broadcast_to(np.asarray(surface.k_a) * np.asarray(scene_ambient, np.float64), shape)
-    each = [contribution(surface, light, N, P, V, lobe=lobe, flip=flip) for light in lights]
-    return Illumination(emission, glow, each)
+    ambient = np.broadcast_to(np.asarray(surface.k_a) * np.asarray(scene_ambient, np.float64), shape)
+    contributions = [contribution(surface, light, N, P, V, lobe=lobe, flip=flip) for light in lights]
+    return Illumination(emission, ambient, contributions)

@@ -12,12 +12,13 @@ from glsim.machine.frame import Draw, Frame, Trail, Where
 from glsim.machine.matrix import multiply
 from glsim.play.frames import frame_of
 from glsim.render.batch import MOST_OBJECTS, plans
+from glsim.render.key import ProgramKey, draw_key
 from glsim.render.outline import prepare
-from glsim.render.programs import ProgramKey, draw_key, sources
+from glsim.render.programs import sources
 from glsim.render.specialise import specialised
 from glsim.render.uniforms import ATTENUATION, FACE, INTENSITIES, cos_spot_cutoff
 from glsim.study.provenance import BEFORE, History, Path, Provenance, value_at
-from glsim.study.text import call_text, enum_name, matrix_text, plain, value_text
+from glsim.study.text import as_json, call_text, enum_name, matrix_text, value_text
 
 LIGHTING = ("lighting",)
 
@@ -59,8 +60,8 @@ class Explanation:
 
     def as_dict(self) -> dict[str, Any]:
         return {
-            "draw": self.draw, "what": self.what, "where": plain(self.where), "key": plain(self.key),
-            "uniforms": plain(self.uniforms),
+            "draw": self.draw, "what": self.what, "where": as_json(self.where), "key": as_json(self.key),
+            "uniforms": as_json(self.uniforms),
         }  # fmt: skip
 
 
@@ -81,16 +82,15 @@ def explain(what: Any, draw: int | None = None, **options: Any) -> list[Explanat
             raise ValueError("explain: the calls of this frame were not recorded: use capture(calls=True)")
         if draw is None or number == draw:
             wanted.setdefault((packet.call, packet.trail), []).append(number)
-    found: dict[int, Explanation] = {}
+    explanations: dict[int, Explanation] = {}
     keys = program_keys(frame)
     for step in History(frame).walk():
-        for which in wanted.pop((step.number, step.trail), ()):
-            found[which] = _Explainer(frame, draws[which], step.provenance).explanation(which, keys[which])
+        now = wanted.pop((step.number, step.trail), [])
         if not step.trail:  # Draws of a display list compiled before the recording: credit the glCallList
-            for key in [key for key in wanted if key[0] == step.number]:
-                for which in wanted.pop(key):
-                    found[which] = _Explainer(frame, draws[which], step.provenance).explanation(which, keys[which])
-    return [found[number] for number in sorted(found)]
+            now += [number for key in list(wanted) if key[0] == step.number for number in wanted.pop(key)]
+        for number in now:
+            explanations[number] = _Explainer(frame, draws[number], step.provenance).explanation(number, keys[number])
+    return [explanations[number] for number in sorted(explanations)]
 
 
 def program_keys(frame: Frame) -> list[ProgramKey]:
@@ -130,12 +130,12 @@ class _Explainer:
 
     def _origins(self, *paths: Path) -> tuple[Origin, ...]:
         """The calls that last set the state at or below these paths, each once, in the order of the program."""
-        found = {}
+        origins = {}
         for path in paths:
-            for known, call in self.provenance.setters.items():
-                if known[: len(path)] == path:
-                    found[call] = self._origin(call, self.provenance.through.get(known))
-        return tuple(found[call] for call in sorted(found))
+            for setter_path, call in self.provenance.setters.items():
+                if setter_path[: len(path)] == path:
+                    origins[call] = self._origin(call, self.provenance.through.get(setter_path))
+        return tuple(origins[call] for call in sorted(origins))
 
     def _chain(self, calls: Iterable[int]) -> tuple[Origin, ...]:
         """The calls whose product a matrix is.  Calls that one GLU function made count as one, under its name."""
@@ -171,16 +171,16 @@ class _Explainer:
                 factors = [(*light, member) for member in ATTENUATION]
                 yield Setting(f"LIGHT_IS_ATTENUATED[{k}]", value_text(kind.attenuated), self._origins(*factors))
                 yield Setting(f"LIGHT_IS_SPOT[{k}]", value_text(kind.spot), self._origins((*light, "spot_cutoff")))
-            for name, at in (
+            for name, field_name in (
                 ("LOBE_IS_PHONG", "lobe"), ("FLIP_NORMAL", "back_lighting"), ("LOCAL_VIEWER", "local_viewer"),
                 ("TWO_SIDE", "two_side"), ("SEPARATE_SPECULAR", "color_control"),
             ):  # fmt: skip
-                yield Setting(name, value_text(getattr(key, name.lower())), self._origins(("lighting", at)))
+                yield Setting(name, value_text(getattr(key, name.lower())), self._origins(("lighting", field_name)))
             if lighting.color_material:
                 fields = ("color_material", "color_material_face", "color_material_mode")
-                who = self._origins(*(("lighting", name) for name in fields))
+                origins = self._origins(*(("lighting", name) for name in fields))
                 for name in ("front_tracks", "back_tracks"):
-                    yield Setting(name.upper(), _tracks(getattr(key, name)), who)
+                    yield Setting(name.upper(), _tracks(getattr(key, name)), origins)
         yield from self._rest_of_key(key)
 
     def _rest_of_key(self, key: ProgramKey) -> Iterator[Setting]:
@@ -214,12 +214,15 @@ class _Explainer:
         for unit in key.units:
             at: Path = ("texture", "units", unit.number)
             yield Setting(f"TEXTURE_{unit.number}", "1", self._origins((*at, "enabled"), (*at, "names")))
-            environment = [(*at, "environment"), *([(*at, "combine")] if unit.environment == GL_COMBINE else [])]
+            environment = [
+                (*at, "environment"),
+                *([(*at, "combine")] if unit.environment == GL_COMBINE else []),
+            ]
             yield Setting(f"TEXENV[{unit.number}]", enum_name(int(unit.environment)), self._origins(*environment))
             if any(unit.generated):
                 modes = ", ".join(enum_name(int(mode)) if mode else "-" for mode in unit.generated)
-                who = self._origins((*at, "generated"), (*at, "generators"))
-                yield Setting(f"TEXGEN of unit {unit.number}", modes, who)
+                origins = self._origins((*at, "generated"), (*at, "generators"))
+                yield Setting(f"TEXGEN of unit {unit.number}", modes, origins)
 
     # ------------------------------------------------------------ the uniforms
 
@@ -281,23 +284,23 @@ class _Explainer:
         lighting = self.draw.state.lighting
         sides = ["front", *(["back"] if key.two_side else [])]
         for side in sides:
-            for member, at in FACE.items():
-                yield self._state(f"material.{side}.{member}", "material", side, at)
+            for member, field_name in FACE.items():
+                yield self._state(f"material.{side}.{member}", "material", side, field_name)
         yield self._state("I_a_scene", "lighting", "ambient")
         for kind in key.lights:
             light: Path = ("lighting", "lights", kind.number)
-            place = (*light, "position")
-            yield self._state(f"lights[{kind.number}].position", *place, note=self._placed(place))
-            for member, at in INTENSITIES.items():
-                yield self._state(f"lights[{kind.number}].{member}", *light, at)
+            path = (*light, "position")
+            yield self._state(f"lights[{kind.number}].position", *path, note=self._placed(path))
+            for member, field_name in INTENSITIES.items():
+                yield self._state(f"lights[{kind.number}].{member}", *light, field_name)
             if kind.spot:
-                place = (*light, "spot_direction")
-                yield self._state(f"lights[{kind.number}].spot_direction", *place, note=self._placed(place))
+                path = (*light, "spot_direction")
+                yield self._state(f"lights[{kind.number}].spot_direction", *path, note=self._placed(path))
                 yield self._state(f"lights[{kind.number}].spot_exponent", *light, "spot_exponent")
                 source = lighting.lights[kind.number]
                 note = f"cosine of {value_text(source.spot_cutoff)} degrees"
-                cosine, who = cos_spot_cutoff(source), self._origins((*light, "spot_cutoff"))
-                yield Setting(f"lights[{kind.number}].cos_spot_cutoff", value_text(cosine), who, note)
+                cosine, origins = cos_spot_cutoff(source), self._origins((*light, "spot_cutoff"))
+                yield Setting(f"lights[{kind.number}].cos_spot_cutoff", value_text(cosine), origins, note)
             if kind.attenuated:
                 for member in ATTENUATION:
                     yield self._state(f"lights[{kind.number}].{member}", *light, member)

@@ -44,7 +44,7 @@ def lines(evaluation: Evaluation) -> Iterator[Line]:
     e = evaluation
     yield [f"The equation at the {e.at}"]
     yield ["emission", "=", e.emission]
-    yield ["glow", "=", "k_a", "*", "I_a", "=", e.k_a, "x", e.scene_ambient, "=", e.glow]
+    yield ["ambient", "=", "k_a", "*", "I_a", "=", e.k_a, "x", e.scene_ambient, "=", e.ambient]
     for light in e.lights:
         of = "N.H^n" if light.vector == "H" else "R.V^n"
         plain = light.attenuation == light.spot == 1.0

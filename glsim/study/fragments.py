@@ -18,7 +18,7 @@ from glsim.machine import constants as gl
 from glsim.machine.stage import Stage, illumination, shown, vertex_stage
 from glsim.machine.state import ColorBuffer, Combine, Fog, TextureUnit
 from glsim.render.inspect import Piece
-from glsim.render.programs import UnitKind, unit_kind
+from glsim.render.key import UnitKind, unit_kind
 from glsim.shading import Illumination
 
 Float = NDArray[np.float64]

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from glsim.machine.frame import Where
-from glsim.study.text import plain
+from glsim.study.text import as_json
 
 Numbers = tuple[float, ...]
 Bytes = tuple[int, int, int, int]
@@ -71,7 +71,7 @@ class Evaluation:
     k_s: Numbers
     n: float
     emission: Numbers
-    glow: Numbers
+    ambient: Numbers
     scene_ambient: Numbers
     lights: tuple[LightTerms, ...]
     sum: Numbers
@@ -164,7 +164,7 @@ class Probe:
 
     def as_dict(self) -> dict[str, Any]:
         """Plain dictionaries, lists and numbers: for JSON."""
-        return {**plain(self), "winner": None if self.winner is None else self.fragments.index(self.winner)}
+        return {**as_json(self), "winner": None if self.winner is None else self.fragments.index(self.winner)}
 
     def latex(self) -> str:
         """The winning fragment's equation with its numbers, as LaTeX."""

@@ -72,7 +72,7 @@ class Prober:
                     if fragment is not None:
                         fragments.append(fragment)
             if isinstance(packet, (Clear, Accum, QueryMark)):
-                self.screen.execute([_at(packet, x, up)])
+                self.screen.execute([_at_pixel(packet, x, up)])
             if isinstance(packet, (Clear, Accum)):
                 where, after = _line(self.frame, packet), self._pixel(x, up)
                 events.append(Event(number, _name(packet), where, _covers(packet, x, up), after))
@@ -162,8 +162,8 @@ def _shading(lit: Shaded, piece: Piece, back: bool) -> str:
     names = {"provoking": "flat: the equation at the provoking vertex",
              "vertex": "Gouraud: the equation at the vertices, colours interpolated",
              "fragment": "Phong: normals interpolated, the equation at the fragment"}  # fmt: skip
-    turned = ", back side: N turned round" if lighting.two_side and back and piece.corners == 3 else ""
-    return names[lit.where] + turned
+    side = ", back side: N turned round" if lighting.two_side and back and piece.corners == 3 else ""
+    return names[lit.where] + side
 
 
 def _covers(packet: Clear | Accum, x: int, y: int) -> bool:
@@ -178,7 +178,7 @@ def _floats(values: Any) -> Numbers:
     return tuple(float(value) for value in np.ravel(values))
 
 
-def _at(packet: Clear | Accum | QueryMark, x: int, y: int) -> Packet:
+def _at_pixel(packet: Clear | Accum | QueryMark, x: int, y: int) -> Packet:
     """The packet at one pixel alone."""
     if isinstance(packet, QueryMark):
         return packet
@@ -248,7 +248,7 @@ def _evaluations(one: Piece, sample: Sample, lit: Shaded) -> tuple[Evaluation, .
         Evaluation(
             at, float(weight), _floats(P), _floats(N),
             reflectances[0][row], reflectances[1][row], reflectances[2][row], float(np.asarray(face.n)[row, 0]),
-            _floats(lit.terms.emission[row]), _floats(lit.terms.glow[row]), lighting.ambient[:3],
+            _floats(lit.terms.emission[row]), _floats(lit.terms.ambient[row]), lighting.ambient[:3],
             tuple(_light(number, lighting.lights[number], light, row, vector)
                   for number, light in zip(enabled, lit.terms.lights, strict=True)),
             _floats(total[row]), _floats(np.clip(total[row], 0.0, 1.0)),

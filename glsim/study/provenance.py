@@ -29,6 +29,7 @@ from glsim.gl.lists import numbers_called
 from glsim.machine import constants as gl
 from glsim.machine.commands import COMMANDS
 from glsim.machine.current import driving
+from glsim.machine.device import NoDevice
 from glsim.machine.errors import GLError
 from glsim.machine.frame import Call, Frame, Moment, Trail
 from glsim.machine.machine import MAX_LIST_NESTING, Machine
@@ -117,15 +118,11 @@ def value_at(state: Snapshot, material: Material, path: Path) -> Any:
     return value
 
 
-class _NullDevice:
-    width = height = 1
-
-
 class _Scratch:
     """Repeats calls on machines without a device, apart from the machine of the program."""
 
     def __init__(self) -> None:
-        self.machine = Machine(_NullDevice())  # type: ignore[arg-type]
+        self.machine = Machine(NoDevice())
 
     def sets(self, call: Call, before: Moment) -> list[Path]:
         """The pieces of state that a call sets, also to the value they have."""
@@ -137,9 +134,9 @@ class _Scratch:
         same = operator.is_
         return [*_paths(state, after, same), *_paths(material, m.material, same, ("material",))]
 
-    def at(self, before: Moment) -> Machine:
+    def machine_at(self, before: Moment) -> Machine:
         """A new machine whose state, material and matrix stacks are those of ``before``."""
-        m = self._load(Machine(_NullDevice()), before.state, before.material)  # type: ignore[arg-type]
+        m = self._load(Machine(NoDevice()), before.state, before.material)
         stacks = (m.modelview, m.projection, *m.texture_stacks)
         for stack, matrix, depth in zip(stacks, before.matrices, before.depths, strict=True):
             stack[:] = [leaf(matrix.get())] * depth
@@ -205,21 +202,21 @@ class History:
         self.frame = frame
         self.moments = {moment.call: moment for moment in frame.history}
         self.scratch = _Scratch()
-        self.found = Provenance()
-        self.saved: list[tuple[dict[Path, int], dict[str, int], int]] = []  # by glPushAttrib
+        self.provenance = Provenance()
+        self.attrib_stack: list[tuple[dict[Path, int], dict[str, int], int]] = []  # by glPushAttrib
         self.lists: dict[int, list[int]] = {}
         self.base = 0  # glListBase
 
     def walk(self) -> Iterator[Step]:
         """Yield a Step for each call, in order.  All share one Provenance object, which is updated at each call."""
-        found = self.found
+        provenance = self.provenance
         first = self.frame.history[0]
         for name, matrix in zip(NAMES, first.matrices, strict=True):
             untouched = np.array_equal(matrix.get(), np.eye(4, dtype=np.float32))
-            found.chains[name] = [[] if untouched else [BEFORE]]
+            provenance.chains[name] = [[] if untouched else [BEFORE]]
         for path in _paths(INITIAL, first.state, operator.eq):
             if path[-2] != "bound":  # every machine has texture objects of its own
-                found.setters[path] = BEFORE
+                provenance.setters[path] = BEFORE
         compiling: list[int] | None = None
         executing = True
         before = first
@@ -246,41 +243,42 @@ class History:
                 else:
                     paths = self._sets(call, before, after)
                     self._apply(number, call, before, after, paths)
-            yield Step(number, call, before, after, paths, found)
+            yield Step(number, call, before, after, paths, provenance)
             before = after
 
     def _called(self, number: int, call: Call, before: Moment, after: Moment) -> Generator[Step, None, list[Path]]:
         """Follow the called display lists call by call.  A change that none of their calls explains is credited to the
         glCallList itself.  Yields a Step for each call in the lists; returns the paths whose values changed."""
-        old = dict(self.found.setters)
-        machine = self.scratch.at(before)
-        for which in self._called_by(call):
-            yield from self._inside(machine, number, which, ())
+        old = dict(self.provenance.setters)
+        machine = self.scratch.machine_at(before)
+        for list_number in self._called_by(call):
+            yield from self._inside(machine, number, list_number, ())
         paths = changed(before, after)
         for path in paths:
-            if self.found.setters.get(path) == old.get(path):
-                self.found.setters[path] = number
+            if self.provenance.setters.get(path) == old.get(path):
+                self.provenance.setters[path] = number
         return paths
 
-    def _inside(self, machine: Machine, number: int, which: int, trail: Trail) -> Iterator[Step]:
+    def _inside(self, machine: Machine, number: int, list_number: int, trail: Trail) -> Iterator[Step]:
         if len(trail) >= MAX_LIST_NESTING:
             return
-        for position, at in enumerate(self.lists.get(which, [])):
-            call, here = self.frame.calls[at], (*trail, (which, position))
-            before = after = moment(machine, at)
+        for position, listed in enumerate(self.lists.get(list_number, [])):
+            call, inner_trail = self.frame.calls[listed], (*trail, (list_number, position))
+            before = after = moment(machine, listed)
             paths: list[Path] = []
             if call.name in CALLING:
                 for inner in self._called_by(call):
-                    yield from self._inside(machine, number, inner, here)
-                after = moment(machine, at)
+                    yield from self._inside(machine, number, inner, inner_trail)
+                after = moment(machine, listed)
             elif call.name in REGISTERS_ONLY or COMMANDS[call.name].family in REPLAYED:
                 if call.name not in REGISTERS_ONLY:
                     _run(machine, call)
-                    after = moment(machine, at)
+                    after = moment(machine, listed)
                 paths = self._sets(call, before, after)
-                self._apply(at, call, before, after, paths)
-                self.found.through.update({path: number for path in paths if self.found.setters.get(path) == at})
-            yield Step(number, call, before, after, paths, self.found, here)
+                self._apply(listed, call, before, after, paths)
+                paths_set = [path for path in paths if self.provenance.setters.get(path) == listed]
+                self.provenance.through.update(dict.fromkeys(paths_set, number))
+            yield Step(number, call, before, after, paths, self.provenance, inner_trail)
 
     def _called_by(self, call: Call) -> list[int]:
         """The numbers of the lists that a glCallList or glCallLists calls."""
@@ -299,33 +297,33 @@ class History:
         return list(dict.fromkeys(paths + self.scratch.sets(call, before)))
 
     def _apply(self, number: int, call: Call, before: Moment, after: Moment, paths: list[Path]) -> None:
-        found = self.found
+        provenance = self.provenance
         if call.name in REGISTERS_ONLY:
-            found.registers[COMMANDS[call.name].family] = number
+            provenance.registers[COMMANDS[call.name].family] = number
             return
         if call.name == "glPushAttrib":
-            self.saved.append((dict(found.setters), dict(found.registers), int(call.arguments[0])))
+            self.attrib_stack.append((dict(provenance.setters), dict(provenance.registers), int(call.arguments[0])))
         old: dict[Path, int] | None = None
-        if call.name == "glPopAttrib" and self.saved:
-            old, registers, mask = self.saved.pop()
+        if call.name == "glPopAttrib" and self.attrib_stack:
+            old, registers, mask = self.attrib_stack.pop()
             if mask & gl.GL_CURRENT_BIT:
-                found.registers = registers
+                provenance.registers = registers
         for path in paths:
-            found.through.pop(path, None)
+            provenance.through.pop(path, None)
             if old is None:
-                found.setters[path] = number
+                provenance.setters[path] = number
             elif path in old:
-                found.setters[path] = old[path]  # glPopAttrib brings back what an earlier call set
+                provenance.setters[path] = old[path]  # glPopAttrib brings back what an earlier call set
             else:
-                found.setters.pop(path, None)
+                provenance.setters.pop(path, None)
             if path[-1] in ("position", "spot_direction", "eye_plane") or path[:2] == ("transform", "clip_planes"):
-                found.placed[path] = Placed(before.matrices[0].get(), tuple(found.chains["modelview"][-1]))
+                provenance.placed[path] = Placed(before.matrices[0].get(), tuple(provenance.chains["modelview"][-1]))
         self._matrices(number, call, before, after)
 
     def _matrices(self, number: int, call: Call, before: Moment, after: Moment) -> None:
         mode, unit = before.state.transform.matrix_mode, before.state.texture.active_unit
         name = {gl.GL_MODELVIEW: "modelview", gl.GL_PROJECTION: "projection", gl.GL_TEXTURE: f"texture{unit}"}[mode]  # type: ignore[index]
-        stack = self.found.chains[name]
+        stack = self.provenance.chains[name]
         family = COMMANDS[call.name].family
         if family == "glPushMatrix" and after is not before:
             stack.append(list(stack[-1]))
@@ -345,4 +343,4 @@ def _run(machine: Machine, call: Call) -> None:
 
 
 NAMES = ("modelview", "projection", "texture0", "texture1", "texture2", "texture3")
-INITIAL = Snapshot._make(getattr(Machine(_NullDevice()), name) for name in Snapshot._fields)  # type: ignore[arg-type]
+INITIAL = Snapshot._make(getattr(Machine(NoDevice()), name) for name in Snapshot._fields)

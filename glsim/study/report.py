@@ -119,7 +119,7 @@ def _evaluation(e: Evaluation) -> Table:
     row("k_a", "", e.k_a)
     row("k_d", "", e.k_d)
     row("k_s", f"n = {e.n:g}", e.k_s)
-    row("glow", "k_a I_a, I_a of the scene " + vector(e.scene_ambient), e.glow, end_section=True)
+    row("ambient", "k_a I_a, I_a of the scene " + vector(e.scene_ambient), e.ambient, end_section=True)
     for light in e.lights:
         _light_rows(row, light)
     row("sum", "", e.sum, style="bold")

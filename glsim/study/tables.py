@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from rich.table import Table
 from rich.text import Text
 
-from glsim.study.mistakes import CHECKED
+from glsim.study.mistakes import RULES, TOPICS
 from glsim.study.report import line
 
 if TYPE_CHECKING:
@@ -68,8 +68,9 @@ def calls_table(trace: Trace) -> Table:
 
 def mistakes_list(trace: Trace) -> Text:
     if not trace.mistakes:
-        checks = "\n".join(f"  {what}" for what in CHECKED.values())
-        return Text.assemble(("None of these mistakes was found; others were not looked for:\n", "green"), checks)
+        looked_at = ((topic, "; ".join(r.looks_at for r in RULES.values() if r.topic == topic)) for topic in TOPICS)
+        lines = "\n".join(f"  {topic}: {what}" for topic, what in looked_at)
+        return Text.assemble(("None of these mistakes was found; others were not looked for:\n", "green"), lines)
     parts: list[tuple[str, str]] = []
     for mistake in trace.mistakes:
         parts += [

@@ -35,7 +35,7 @@ class Terms:
     N_L, cosine: number of the light -> (height, width); cosine is N.H or R.V.
     covered, lit, clamped: (height, width) bool: a fragment was drawn, it was lit, clamping to [0, 1] changed its sum.
     vector: "H" or "R", the lobe of the lit pixels that were evaluated last.
-    more: the later stages that the frame uses and the terms leave out, of "texture", "fog" and "blending".
+    later_stages: those of "texture", "fog" and "blending" that the frame uses; the terms leave them out.
     """
 
     picture: NDArray[np.uint8]
@@ -48,7 +48,7 @@ class Terms:
     N_L: dict[int, Float] = field(default_factory=dict)
     cosine: dict[int, Float] = field(default_factory=dict)
     vector: str = "H"
-    more: tuple[str, ...] = ()
+    later_stages: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         (height, width), lights = self.depth.shape, ", ".join(map(str, self.lights)) or "none"
@@ -113,7 +113,7 @@ def taken_apart(g_buffer: GBuffer, picture: NDArray[np.uint8]) -> Terms:
     order = order[np.argsort(groups, kind="stable")]
     groups = np.sort(groups, kind="stable")
     starts = np.flatnonzero(np.diff(groups, prepend=-1))
-    result.more = _more(g_buffer)
+    result.later_stages = _later_stages(g_buffer)
     for start, end in zip(starts, [*starts[1:], len(order)], strict=True):
         at = np.unravel_index(order[start:end], shape)
         piece = g_buffer.pieces[int(groups[start]) // 2]
@@ -122,15 +122,15 @@ def taken_apart(g_buffer: GBuffer, picture: NDArray[np.uint8]) -> Terms:
     return result
 
 
-def _more(g_buffer: GBuffer) -> tuple[str, ...]:
+def _later_stages(g_buffer: GBuffer) -> tuple[str, ...]:
     """The stages after lighting that some piece uses; the summands leave them out."""
     states = [piece.draw.state for piece in g_buffer.pieces]
-    found = {
+    used = {
         "texture": any(state.texture.in_use for state in states),
         "fog": any(state.fog.enabled for state in states),
         "blending": any(state.color_buffer.blend for state in states),
     }
-    return tuple(name for name, there in found.items() if there)
+    return tuple(name for name, is_used in used.items() if is_used)
 
 
 def _add(result: Terms, at: Any, piece: Piece, lit: Shaded) -> None:
@@ -150,7 +150,7 @@ def _add(result: Terms, at: Any, piece: Piece, lit: Shaded) -> None:
     changed = np.abs(lit.spread(lit.terms.sum) - (lit.primary[:, :3] + lit.highlight)) > 0.5 / 255.0
     result.clamped[at] = np.any(changed, axis=1)
     put(result.summands, "emission", lit.terms.emission)
-    put(result.summands, "scene ambient", lit.terms.glow)
+    put(result.summands, "scene ambient", lit.terms.ambient)
     lighting = piece.draw.state.lighting
     result.vector = "R" if lighting.lobe == GL_PHONG_LOBE_GLSIM else "H"
     numbers = [number for number, on in enumerate(lighting.light_enabled) if on]
@@ -163,7 +163,7 @@ def _add(result: Terms, at: Any, piece: Piece, lit: Shaded) -> None:
 
 def terms_sheet(terms: Terms) -> Image.Image:
     """The sheet: a row for the picture as a whole, a row for the terms without light, and a row for each light."""
-    from glsim.pictures import BEHIND, NOTHING, heat, tiles
+    from glsim.pictures import DARK_GREY, OFF_WHITE, heat, tiles
 
     covered = terms.covered
 
@@ -173,8 +173,8 @@ def terms_sheet(terms: Terms) -> Image.Image:
     seen = terms.depth[covered]
     near, far = (float(seen.min()), float(seen.max())) if seen.size else (0.0, 1.0)
     depth = (terms.depth.astype(float) - near) / max(far - near, 1e-12)
-    normals = np.where(covered[..., None], 0.5 + 0.5 * terms.normal, np.array(NOTHING) / 255.0)
-    mask = np.where(terms.clamped[..., None], [255, 60, 30], np.where(covered[..., None], BEHIND, NOTHING))
+    normals = np.where(covered[..., None], 0.5 + 0.5 * terms.normal, np.array(OFF_WHITE) / 255.0)
+    mask = np.where(terms.clamped[..., None], [255, 60, 30], np.where(covered[..., None], DARK_GREY, OFF_WHITE))
     of = "N·H" if terms.vector == "H" else "R·V"
     rows: list[list[tuple[str, NDArray[np.uint8]]]] = [
         [
@@ -197,6 +197,6 @@ def terms_sheet(terms: Terms) -> Image.Image:
         row.append((f"light {light} {of}, 0 to 1", heat(terms.cosine[light], terms.lit)))
         rows.append(row)
     title = "I = emission + k_a I_a + sum over lights of (ambient + diffuse + specular)"
-    if terms.more:
-        title += f".   {', '.join(terms.more).capitalize()} of the picture come later and are not in the terms."
+    if terms.later_stages:
+        title += f".   {', '.join(terms.later_stages).capitalize()} of the picture come later and are not in the terms."
     return tiles(title, rows)

@@ -19,8 +19,8 @@ def call_text(call: Call) -> str:
     """A call as it would be written, at most a line."""
     via = f"{call.where.via}: " if call.where is not None and call.where.via else ""
     kinds = [kind for _, kind in COMMANDS[call.name].arguments]
-    given = zip(call.arguments, [*kinds, *[""] * len(call.arguments)], strict=False)
-    words = ", ".join(_argument(argument, kind) for argument, kind in given if argument is not None)
+    pairs = zip(call.arguments, [*kinds, *[""] * len(call.arguments)], strict=False)
+    words = ", ".join(_argument(argument, kind) for argument, kind in pairs if argument is not None)
     if call.name == "glClear":
         names = [repr(bit) for bit in BUFFER_BITS if int(call.arguments[0]) & bit]
         words = " | ".join(names) or words
@@ -69,12 +69,12 @@ def matrix_text(columns: Any) -> str:
     return "[" + "; ".join(" ".join(f"{value:.4g}" for value in row) for row in np.asarray(columns).T) + "]"
 
 
-def plain(value: Any) -> Any:
-    """Dataclasses and tuples -> dictionaries and lists; what is not finite becomes None."""
+def as_json(value: Any) -> Any:
+    """A result as what JSON can hold: dataclasses become dictionaries, tuples lists, infinite numbers and NaN None."""
     if is_dataclass(value):
-        return {entry.name: plain(getattr(value, entry.name)) for entry in fields(value)}
+        return {entry.name: as_json(getattr(value, entry.name)) for entry in fields(value)}
     if isinstance(value, Where):
         return value._asdict()
     if isinstance(value, (tuple, list)):
-        return [plain(entry) for entry in value]
+        return [as_json(entry) for entry in value]
     return None if isinstance(value, float) and not np.isfinite(value) else value

@@ -6,14 +6,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+
 from glsim.machine.commands import COMMANDS
 from glsim.machine.frame import Call, Draw, Frame, Where
 from glsim.machine.record import REGISTERS_ONLY
 from glsim.machine.state import Lighting
 from glsim.play.frames import frame_of
-from glsim.study.mistakes import CHECKED, Detector, Mistake
+from glsim.study.mistakes import Detector, Mistake, checked
 from glsim.study.provenance import LOAD_FAMILIES, MULTIPLY_FAMILIES, NAMES, History, Step, value_at
-from glsim.study.text import call_text, matrix_text, plain, value_text
+from glsim.study.text import as_json, call_text, matrix_text, value_text
 
 
 @dataclass(frozen=True)
@@ -52,9 +54,9 @@ class Trace:
 
     def as_dict(self) -> dict[str, Any]:
         return {
-            "calls": plain(self.entries),
-            "mistakes": [{**entry._asdict(), "where": plain(entry.where)} for entry in self.mistakes],
-            "checked": CHECKED,
+            "calls": as_json(self.entries),
+            "mistakes": [{**entry._asdict(), "where": as_json(entry.where)} for entry in self.mistakes],
+            "checked": checked(),
         }
 
 
@@ -67,26 +69,32 @@ def trace(what: Any, **options: Any) -> Trace:
     return Trace(*_traced(frame))
 
 
-def _traced(frame: Frame) -> tuple[list[Entry], list[Mistake]]:
+def mistakes_of(frame: Frame) -> list[Mistake]:
+    """Only the mistakes in a Frame that was captured with calls."""
+    return _traced(frame, entries=False)[1]
+
+
+@np.errstate(all="ignore")  # NaN and infinite numbers of a program are no mistakes of glsim's
+def _traced(frame: Frame, entries: bool = True) -> tuple[list[Entry], list[Mistake]]:
     draws: dict[int, list[Draw]] = {}
     for draw in frame.draws:
         if draw.call is not None:
             draws.setdefault(draw.call, []).append(draw)
     counts = {number: len(made) for number, made in draws.items()}
     detector = Detector(frame)
-    entries: list[Entry] = []
+    listed: list[Entry] = []
     mistakes: list[Mistake] = []
     run: list[tuple[int, Call]] = []
     colors = Colors()
     for step in History(frame).walk():
-        number, call, before, after = step[:4]
-        mistakes += detector.call(number, call, before, after)
+        number, call, after = step.number, step.call, step.after
+        mistakes += detector.call(step)
         made = draws.get(number, [])
         for draw in [draw for draw in made if draw.trail == step.trail or not step.trail]:
-            mistakes += detector.draw(draw, step.provenance, after)
+            mistakes += detector.draw(draw, step)
             colors.used(draw.state.lighting)
             made.remove(draw)
-        if step.trail:
+        if step.trail or not entries:
             continue
         if call.name in REGISTERS_ONLY and call.name != "glBegin":
             run.append((number, call))
@@ -94,12 +102,12 @@ def _traced(frame: Frame) -> tuple[list[Entry], list[Mistake]]:
             continue
         if COMMANDS[call.name].family in ("glRasterPos", "glWindowPos"):
             colors.used(after.state.lighting if call.name.startswith("glRasterPos") else None)
-        entries += _run(run)
+        listed += _run(run)
         run = []
-        entries.append(_entry(step, counts.get(number, 0)))
-    entries += _run(run)
+        listed.append(_entry(step, counts.get(number, 0)))
+    listed += _run(run)
     mistakes += detector.end()
-    return [colors.noted(entry) for entry in entries], list(_once(mistakes))
+    return [colors.noted(entry) for entry in listed], list(_once(mistakes))
 
 
 class Colors:

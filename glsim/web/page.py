@@ -21,7 +21,9 @@ from numpy.typing import NDArray
 
 from glsim.metrics import metrics
 
+SCRIPTS = ("png.js", "stage.js", "controls.js", "hands.js", "viewer.js", "compare.js")
 MANY = 4  # strips: a page with more has a table of contents
+FITTING = "max-width: 100%; height: auto"
 LABELS = {"max": "Max", "mean": "Mean", "rmse": "RMSE", "different": "Different", "ssim": "SSIM", "flip": "FLIP"}
 MEANINGS = {
     "max": "largest difference of a channel, 0 to 255",
@@ -72,7 +74,7 @@ def element(strip: Strip) -> str:
 
     Raises ValueError for a strip without pictures, or with a picture that is not (height, width, 3 or 4) uint8.
     """
-    return f"{_strip(strip, 'h3')}\n{_script()}\n"
+    return _encodable(f"{_strip(strip, 'h3')}\n{_script()}\n")
 
 
 def page(title: str, strips: Sequence[Strip], about: str = "") -> str:
@@ -86,7 +88,7 @@ def page(title: str, strips: Sequence[Strip], about: str = "") -> str:
         f'<section id="strip-{number}">\n{_strip(strip, "h2")}\n</section>' for number, strip in enumerate(ordered, 1)
     )
     paragraphs = "\n".join(f"<p>{escape(text)}</p>" for text in about.split("\n\n") if text.strip())
-    return f"""<!doctype html>
+    return _encodable(f"""<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
@@ -110,7 +112,7 @@ def page(title: str, strips: Sequence[Strip], about: str = "") -> str:
 {_script()}
 </body>
 </html>
-"""
+""")
 
 
 # The page itself forbids requests: pictures are data, script and style stand in it.
@@ -177,7 +179,8 @@ def _figure(strip: Strip, picture: Picture) -> str:
     alt = escape(f"{strip.title}: {picture.name}" + (f", {picture.caption}" if picture.caption else ""))
     height, width = pixels.shape[:2]
     return (
-        f'<figure><img loading="lazy" decoding="async" width="{width}" height="{height}" alt="{alt}" src="{uri}">'
+        f'<figure><img loading="lazy" decoding="async" width="{width}" height="{height}" style="{FITTING}" '
+        f'alt="{alt}" src="{uri}">'
         f"<figcaption><b>{escape(picture.name)}</b> {escape(picture.caption)}</figcaption></figure>"
     )
 
@@ -202,7 +205,8 @@ def _table(strip: Strip) -> str:
         else:
             cells = "".join(f"<td>{_number(key, row[key]) if key in row else ''}</td>" for key in keys)
         body.append(f"<tr>{name}{cells}</tr>")
-    return f'<table><thead><tr><th scope="col">Against {escape(strip.pictures[strip.reference].name)}</th>{heads}</tr></thead><tbody>{"".join(body)}</tbody></table>'
+    against = f'<th scope="col">Against {escape(strip.pictures[strip.reference].name)}</th>'
+    return f"<table><thead><tr>{against}{heads}</tr></thead><tbody>{''.join(body)}</tbody></table>"
 
 
 def _against(reference: Picture, picture: Picture) -> dict[str, float] | None:
@@ -225,6 +229,11 @@ def _number(key: str, value: float) -> str:
     return f"{value:.0f}" if float(value).is_integer() else f"{value:.4g}"
 
 
+def _encodable(text: str) -> str:
+    """Without halves of surrogate pairs, which names of files can contain and no file of UTF-8 can."""
+    return text.encode("utf-8", "replace").decode("utf-8")
+
+
 def _json(data: object) -> str:
     """JSON that can stand in a script element: no end tag and no comment can begin in it."""
     return json.dumps(data, ensure_ascii=False).replace("<", "\\u003c")
@@ -232,7 +241,8 @@ def _json(data: object) -> str:
 
 def _script() -> str:
     """The custom element's code in a function of its own, after its style as the text CSS."""
-    return f'<script>(() => {{\n"use strict";\nconst CSS = {_json(_file("compare.css"))};\n{_file("compare.js")}}})();\n</script>'
+    code = "".join(_file(name) for name in SCRIPTS)
+    return f'<script>(() => {{\n"use strict";\nconst CSS = {_json(_file("compare.css"))};\n{code}}})();\n</script>'
 
 
 @cache

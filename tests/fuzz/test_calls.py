@@ -14,7 +14,6 @@ import pytest
 from glsim import gl, glu, glut
 from glsim.glut.loop import loop
 from glsim.machine.current import current_machine, make_current
-from tests.drawing import portions
 from tests.fuzz.calls import Fuzz, accepted
 
 CALLS = 6000
@@ -31,7 +30,8 @@ def fuzz() -> Iterator[type[Fuzz]]:
     make_current(before)
 
 
-@pytest.mark.parametrize("seed", portions(3))
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(3))
 def test_random_calls(fuzz: type[Fuzz], seed: int) -> None:
     made = fuzz(seed)
     while made.report.calls < CALLS:

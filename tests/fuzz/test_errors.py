@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -58,6 +59,7 @@ def comparable(command: Command) -> st.SearchStrategy[tuple[str, tuple[Any, ...]
     return st.tuples(st.just(command.name), st.tuples(*kinds))
 
 
+@pytest.mark.slow
 @settings(max_examples=200)
 @given(calls=st.lists(st.one_of(*map(comparable, COMPARED)), min_size=1, max_size=30))
 def test_errors_are_the_drivers(screen: glsim.Offscreen, native: Native, calls: list[Any]) -> None:

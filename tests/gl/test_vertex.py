@@ -118,6 +118,7 @@ def many_materials(count: int) -> None:
         glEnd()
 
 
+@pytest.mark.slow
 def test_many_materials_inside_many_primitives_take_no_time(screen: glsim.Offscreen) -> None:
     """The search for the changes of one primitive looks at no other: twice as many, twice the work."""
     passed = []

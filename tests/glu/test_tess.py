@@ -232,7 +232,7 @@ def test_a_long_outline_is_quick() -> None:
 
 def test_a_simple_polygon_of_many_points_needs_no_comparison_of_all_pairs(monkeypatch: pytest.MonkeyPatch) -> None:
     """Only neighbours on the sweep line are held against each other; spikes, whose boxes overlap, included."""
-    from glsim.glu import tess
+    from glsim.glu import plane, sweep
 
     def all_pairs(*arguments: Any) -> Any:
         raise AssertionError("pairs of edges were compared")
@@ -242,15 +242,15 @@ def test_a_simple_polygon_of_many_points_needs_no_comparison_of_all_pairs(monkey
     spikes = np.stack([radii * np.cos(angles), radii * np.sin(angles)], axis=1)
     hole = 0.2 * spikes[::-1]
     compared = 0
-    left = tess._left
+    left = sweep.left
 
     def counted(*arguments: Any) -> int:
         nonlocal compared
         compared += 1
         return left(*arguments)
 
-    monkeypatch.setattr(tess, "_near", all_pairs)
-    monkeypatch.setattr(tess, "_left", counted)
+    monkeypatch.setattr(plane, "near", all_pairs)
+    monkeypatch.setattr(sweep, "left", counted)
     corners = triangles([spikes.tolist(), hole.tolist()])
     ring = np.roll(spikes, -1, axis=0)
     expected = abs((spikes[:, 0] * ring[:, 1] - spikes[:, 1] * ring[:, 0]).sum()) / 2 * (1 - 0.2**2)
@@ -259,10 +259,10 @@ def test_a_simple_polygon_of_many_points_needs_no_comparison_of_all_pairs(monkey
 
 
 def test_edges_that_meet_are_found_on_the_sweep_line() -> None:
-    from glsim.glu.tess import _apart
+    from glsim.glu.sweep import apart
 
     grid = [(0, 0), (10, 10), (0, 10), (10, 0), (5, 5), (20, 20), (3, 0), (3, 10), (10, 5)]
-    for one, other, apart in (
+    for one, other, expected in (
         ((0, 1), (2, 3), False),  # crossing
         ((0, 1), (4, 3), False),  # a point on an edge
         ((0, 1), (2, 4), False),
@@ -275,11 +275,11 @@ def test_edges_that_meet_are_found_on_the_sweep_line() -> None:
         ((0, 4), (4, 1), True),
         ((6, 7), (4, 8), True),
     ):
-        assert _apart(grid, [one, other]) is apart, (one, other)
+        assert apart(grid, [one, other]) is expected, (one, other)
 
 
 def test_what_a_row_of_pairs_leaves_out_the_next_has(monkeypatch: pytest.MonkeyPatch) -> None:
-    from glsim.glu import tess
+    from glsim.glu import plane
 
     dice = np.random.default_rng(3)
     points, edges = dice.integers(0, 1000, (60, 2)), dice.integers(0, 60, (90, 2))
@@ -287,10 +287,10 @@ def test_what_a_row_of_pairs_leaves_out_the_next_has(monkeypatch: pytest.MonkeyP
     meet = ((low[:, None] <= high[None]) & (high[:, None] >= low[None])).all(axis=2)
     expected = {(i, j) for i, j in np.argwhere(meet).tolist() if i < j}
     for most in (1, 7, 1 << 20):
-        monkeypatch.setattr(tess, "MOST_PAIRS", most)
+        monkeypatch.setattr(plane, "MOST_PAIRS", most)
         found = [
             tuple(sorted(pair))
-            for i, j in tess._near(points, edges)
+            for i, j in plane.near(points, edges)
             for pair in zip(i.tolist(), j.tolist(), strict=True)
         ]
         assert len(found) == len(set(found))

@@ -11,7 +11,8 @@ import pytest
 import glsim
 from glsim.gl import *
 from glsim.glut import shapes
-from glsim.glut.shapes import *
+from glsim.glut.polyhedra import *
+from glsim.glut.revolved import *
 from glsim.glut.teaset import *
 
 # call, arguments, primitives, vertices, and moments of the vertices and of the normals that freeglut hands to OpenGL
@@ -56,11 +57,11 @@ def moment(array: np.ndarray) -> float:
 
 
 @pytest.fixture
-def geometry(monkeypatch: pytest.MonkeyPatch) -> Callable[..., shapes.Geometry]:
+def geometry(monkeypatch: pytest.MonkeyPatch) -> Callable[..., shapes.Shape]:
     """What a call would draw."""
 
-    def of(name: str, *arguments: Any) -> shapes.Geometry:
-        drawn: list[shapes.Geometry] = []
+    def of(name: str, *arguments: Any) -> shapes.Shape:
+        drawn: list[shapes.Shape] = []
         with monkeypatch.context() as patch:
             patch.setattr(shapes, "draw_geometry", drawn.append)
             globals()[name](*arguments)
@@ -69,7 +70,7 @@ def geometry(monkeypatch: pytest.MonkeyPatch) -> Callable[..., shapes.Geometry]:
     return of
 
 
-def triangles(shape: shapes.Geometry) -> np.ndarray:
+def triangles(shape: shapes.Shape) -> np.ndarray:
     """Vertex numbers (n, 3), without triangles that have shrunk to nothing."""
     found, first = [], 0
     for mode, pieces, size in shape.parts:
@@ -87,21 +88,21 @@ def triangles(shape: shapes.Geometry) -> np.ndarray:
     return table[np.linalg.norm(across(shape, table), axis=1) > 1e-9]
 
 
-def corners(shape: shapes.Geometry, table: np.ndarray) -> list[np.ndarray]:
+def corners(shape: shapes.Shape, table: np.ndarray) -> list[np.ndarray]:
     return [shape.vertices[table[:, k]].astype(np.float64) for k in range(3)]
 
 
-def across(shape: shapes.Geometry, table: np.ndarray) -> np.ndarray:
+def across(shape: shapes.Shape, table: np.ndarray) -> np.ndarray:
     a, b, c = corners(shape, table)
     return np.cross(b - a, c - a)
 
 
-def volume(shape: shapes.Geometry) -> float:
+def volume(shape: shapes.Shape) -> float:
     a, b, c = corners(shape, triangles(shape))
     return float((np.cross(a, b) * c).sum() / 6)
 
 
-def euler(shape: shapes.Geometry) -> int:
+def euler(shape: shapes.Shape) -> int:
     """Vertices - edges + faces of a closed surface, each edge used once in either direction."""
     _, number = np.unique(np.round(shape.vertices, 5) + 0.0, axis=0, return_inverse=True)
     faces = number.reshape(-1)[triangles(shape)]
@@ -127,7 +128,7 @@ SOLIDS: list[tuple[str, tuple[Any, ...], float]] = [
 
 @pytest.mark.parametrize(("name", "arguments", "expected"), SOLIDS)
 def test_solids_are_closed_and_as_large_as_they_should_be(
-    geometry: Callable[..., shapes.Geometry], name: str, arguments: tuple[Any, ...], expected: float
+    geometry: Callable[..., shapes.Shape], name: str, arguments: tuple[Any, ...], expected: float
 ) -> None:
     shape = geometry(name, *arguments)
     assert volume(shape) == pytest.approx(expected, rel=0.005)
@@ -138,7 +139,7 @@ def test_solids_are_closed_and_as_large_as_they_should_be(
 
 @pytest.mark.parametrize(("name", "arguments", "primitives", "vertices", "positions", "normals"), FREEGLUT)
 def test_freeglut_draws_the_same(
-    geometry: Callable[..., shapes.Geometry], name: str, arguments: tuple[Any, ...], primitives: int, vertices: int,
+    geometry: Callable[..., shapes.Shape], name: str, arguments: tuple[Any, ...], primitives: int, vertices: int,
     positions: float, normals: float,
 ) -> None:  # fmt: skip
     shape = geometry(name, *arguments)
@@ -149,7 +150,7 @@ def test_freeglut_draws_the_same(
     assert moment(shape.normals) == pytest.approx(normals, abs=0.1 if "spoon" in name else 1e-2)
 
 
-def test_sphere(geometry: Callable[..., shapes.Geometry]) -> None:
+def test_sphere(geometry: Callable[..., shapes.Shape]) -> None:
     shape = geometry("glutSolidSphere", 2.0, 20, 16)
     assert shape.parts == ((GL_TRIANGLE_STRIP, 16, 42),)
     assert np.abs(np.linalg.norm(shape.vertices, axis=1) - 2).max() < 1e-6
@@ -158,13 +159,13 @@ def test_sphere(geometry: Callable[..., shapes.Geometry]) -> None:
     assert wire.parts == ((GL_LINE_STRIP, 20, 17), (GL_LINE_LOOP, 15, 20))
 
 
-def test_torus(geometry: Callable[..., shapes.Geometry]) -> None:
+def test_torus(geometry: Callable[..., shapes.Shape]) -> None:
     shape = geometry("glutSolidTorus", 0.25, 0.75, 12, 24)
     x, y, z = shape.vertices.T
     assert np.abs(np.hypot(np.hypot(x, y) - 0.75, z) - 0.25).max() < 1e-6
 
 
-def test_cone_and_cylinder_normals(geometry: Callable[..., shapes.Geometry]) -> None:
+def test_cone_and_cylinder_normals(geometry: Callable[..., shapes.Shape]) -> None:
     cone = geometry("glutSolidCone", 3.0, 4.0, 9, 2)
     side = cone.normals[cone.normals[:, 2] > 0]
     assert side[:, 2] == pytest.approx(0.6)
@@ -175,7 +176,7 @@ def test_cone_and_cylinder_normals(geometry: Callable[..., shapes.Geometry]) -> 
     assert (cylinder.vertices[cylinder.normals[:, 2] == -1, 2] == 0).all()
 
 
-def test_regular_polyhedra(geometry: Callable[..., shapes.Geometry]) -> None:
+def test_regular_polyhedra(geometry: Callable[..., shapes.Shape]) -> None:
     for name, count, faces, radius in (
         ("Tetrahedron", 4, (4, 3), 1.0), ("Cube", 8, (6, 4), np.sqrt(0.75)), ("Octahedron", 6, (8, 3), 1.0),
         ("Icosahedron", 12, (20, 3), 1.0), ("Dodecahedron", 20, (12, 5), np.sqrt(3)),
@@ -191,7 +192,7 @@ def test_regular_polyhedra(geometry: Callable[..., shapes.Geometry]) -> None:
         assert np.linalg.norm(shape.normals, axis=1) == pytest.approx(length)
 
 
-def test_sponge(geometry: Callable[..., shapes.Geometry]) -> None:
+def test_sponge(geometry: Callable[..., shapes.Shape]) -> None:
     shape = geometry("glutSolidSierpinskiSponge", 3, (1.0, 2.0, 3.0), 2.0)
     assert len(shape.vertices) == 12 * 4**3
     assert volume(shape) == pytest.approx(8 / 27 * np.sqrt(3) * 8 / 2**3, rel=1e-4)
@@ -200,7 +201,7 @@ def test_sponge(geometry: Callable[..., shapes.Geometry]) -> None:
 
 
 @pytest.mark.parametrize("name", ["Teapot", "Teacup", "Teaspoon"])
-def test_tea_set(geometry: Callable[..., shapes.Geometry], name: str) -> None:
+def test_tea_set(geometry: Callable[..., shapes.Shape], name: str) -> None:
     small, large = (geometry(f"glutSolid{name}", size) for size in (1.0, 2.0))
     assert np.abs(large.vertices - 2 * small.vertices).max() < 1e-6
     assert np.abs(np.linalg.norm(small.normals, axis=1) - 1).max() < 1e-5

@@ -38,9 +38,9 @@ def textured() -> None:
     glEnd()
 
 
-@pytest.mark.parametrize("portion", portions(20))
+@pytest.mark.parametrize("portion", portions(80))
 def test_every_program_comes_back_whole(portion: int, screen: glsim.Offscreen, tmp_path: Path) -> None:
-    for name in list(PROGRAMS)[portion::20]:
+    for name in list(PROGRAMS)[portion::80]:
         screen.reset()
         frame = captured(PROGRAMS[name])
         before = screen.pixels()
@@ -151,6 +151,7 @@ def test_a_forged_frame_is_refused(what: str, screen: glsim.Offscreen, tmp_path:
         archive.load(tmp_path / "frame.npz")
 
 
+@pytest.mark.slow
 def test_random_damage_is_a_sentence_or_harmless(screen: glsim.Offscreen, tmp_path: Path) -> None:
     """Whatever single item is replaced: load raises ValueError, or drawing it is an exception at worst."""
     archive.save(captured(textured), tmp_path / "frame.npz")
@@ -176,6 +177,7 @@ def test_random_damage_is_a_sentence_or_harmless(screen: glsim.Offscreen, tmp_pa
     assert refused > 100
 
 
+@pytest.mark.slow
 def test_a_zip_bomb_is_not_unpacked(tmp_path: Path) -> None:
     np.savez_compressed(tmp_path / "frame.npz", document=np.zeros(10**8, np.uint8), bytes=np.zeros(1, np.uint8))
     with pytest.raises(ValueError, match="not compressed"):

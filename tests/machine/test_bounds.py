@@ -14,7 +14,7 @@ from glsim.gl import *
 from glsim.glu import *
 from glsim.glut import *
 from glsim.machine import machine as machine_module
-from glsim.machine.kept import kept, size_of
+from glsim.machine.cache import cached, size_of
 
 
 def peak(work: Callable[[], object]) -> float:
@@ -131,7 +131,7 @@ def test_bitmaps_far_apart(screen: glsim.Offscreen) -> None:
 def test_shapes_are_kept_up_to_a_number_of_bytes() -> None:
     calls: list[int] = []
 
-    @kept(1_000_000)
+    @cached(1_000_000)
     def shape(n: int) -> tuple[np.ndarray[Any, Any], ...]:
         calls.append(n)
         return np.zeros(n, np.uint8), np.zeros((n, 2), np.uint8)
@@ -147,6 +147,7 @@ def test_shapes_are_kept_up_to_a_number_of_bytes() -> None:
     assert calls == [50_000]
 
 
+@pytest.mark.slow
 def test_a_slider_over_slices_keeps_little(screen: glsim.Offscreen) -> None:
     def slide() -> None:
         for n in range(300, 330):
@@ -161,6 +162,7 @@ def test_a_slider_over_slices_keeps_little(screen: glsim.Offscreen) -> None:
     assert kept_now < 150  # two kinds of results, 64 MiB each; all of them take 230
 
 
+@pytest.mark.slow
 def test_a_program_that_never_flushes_stays_small(screen: glsim.Offscreen, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(machine_module, "MANY", 100)
     monkeypatch.setattr(machine_module, "LARGE", 100_000)

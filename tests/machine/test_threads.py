@@ -188,7 +188,7 @@ def test_contexts_of_threads_that_ended_are_released(screen: glsim.Offscreen) ->
         own = glsim.offscreen(8, 8)
         glRectf(-1, -1, 1, 1)
         own.pixels()
-        return own.ctx, own._opened.loader
+        return own.ctx, own._driver.loader
 
     opened = [in_a_thread(work)[0] for _ in range(5)]
     gc.collect()
@@ -342,7 +342,7 @@ def test_exceptions_from_signals_break_nothing() -> None:
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="this platform has no SIGALRM")
-@pytest.mark.parametrize("portion", portions(5))
+@pytest.mark.parametrize("portion", portions(10))
 def test_an_interrupted_list_leaves_the_calls_where_they_went(portion: int, screen: glsim.Offscreen) -> None:
     """A signal before each bytecode of three calls."""
 
@@ -364,7 +364,7 @@ def test_an_interrupted_list_leaves_the_calls_where_they_went(portion: int, scre
             moments = interrupted(work)
             screen.reset()
         assert moments > 500
-        tried = range(portion + 1, moments, 5)
+        tried = range(portion + 1, moments, 10)
         hits = 0
         for moment in tried:
             try:

@@ -11,7 +11,7 @@ from tests.drawing import portions
 from tests.oracle.author import Author
 from tests.oracle.random_programs import flag, pictures, shortest, whole
 
-PORTIONS, PROGRAMS = 8, 50  # 400 programs a run; python -m tests.oracle.random_programs --count 5000 makes more
+PORTIONS, PROGRAMS = 200, 2  # 400 programs a run; python -m tests.oracle.random_programs --count 5000 makes more
 
 
 @pytest.mark.parametrize("portion", portions(PORTIONS))

@@ -14,10 +14,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
 
 import glsim
 from glsim.play.frames import frame_of
+from glsim.web.page import SCRIPTS
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -48,6 +48,7 @@ def test_the_wheel_has_shaders_and_lessons_and_nothing_else(dist: Path) -> None:
         for path in (ROOT / kind).iterdir():
             assert path.is_dir() or f"glsim/{kind}/{path.name}" in names
     assert {f"glsim/{library}/__init__.pyi" for library in ("gl", "glu", "glut")} <= set(names)
+    assert {f"glsim/web/{name}" for name in ("compare.css", "page.css", *SCRIPTS)} <= set(names)
     assert {"glsim/py.typed", "glsim/gl/manual.txt"} <= set(names)
     assert not [name for name in names if not name.startswith(("glsim/", "glsim-"))]
     with tarfile.open(next(dist.glob("*.tar.gz"))) as sdist:
@@ -70,16 +71,6 @@ def test_the_wheel_draws_from_a_clean_environment(dist: Path, tmp_path: Path) ->
     assert (tmp_path / "sheet.png").stat().st_size > 1000
 
 
-@pytest.mark.parametrize("lesson", sorted((ROOT / "lessons").glob("*.py")), ids=lambda path: path.stem)
-@pytest.mark.slow
-def test_lessons_run_and_say_what_you_see(lesson: Path, tmp_path: Path) -> None:
-    text = lesson.read_text()
-    assert "You see:" in text
-    run(sys.executable, str(lesson), cwd=tmp_path, PYTHONPATH=str(ROOT))
-    with Image.open(tmp_path / f"{lesson.stem}.png") as picture:
-        assert len(picture.convert("RGB").getcolors(1 << 20)) > 50
-
-
 def blocks(language: str) -> list[str]:
     return re.findall(rf"^```{language}\n(.*?)^```", (ROOT / "README.md").read_text(), re.MULTILINE | re.DOTALL)
 
@@ -97,6 +88,7 @@ def test_short_programs_of_the_readme(number: int, tmp_path: Path) -> None:
     run(sys.executable, "-c", blocks("py")[number], cwd=tmp_path, PYTHONPATH=str(ROOT))
 
 
+@pytest.mark.slow
 def test_pictures_of_the_readme_are_bright_whole_and_without_mistakes(tmp_path: Path) -> None:
     (tmp_path / "teapot.py").write_text(blocks("py")[0])
     fan, teapot = blocks("python")[0], frame_of(tmp_path / "teapot.py", calls=True)
@@ -122,7 +114,7 @@ COMMANDS = [
 def test_the_readme_has_commands() -> None:
     assert len(COMMANDS) >= 20
     assert {line.split()[1] for line in COMMANDS} == {
-        "compare", "run", "probe", "terms", "explain", "trace", "radiosity",
+        "compare", "exercise", "explain", "lesson", "probe", "radiosity", "run", "terms", "trace",
     }  # fmt: skip
 
 
@@ -153,6 +145,7 @@ def test_the_readmes_number_of_programs() -> None:
     assert int(found[1]) == len(PROGRAMS)
 
 
+@pytest.mark.slow
 def test_imports_are_lazy() -> None:
     heavy = "{'numpy', 'moderngl', 'trimesh', 'scipy', 'rich', 'PIL', 'OpenGL'}"
     code = f"import sys, glsim; print({heavy} & set(sys.modules))"

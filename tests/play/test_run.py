@@ -52,6 +52,7 @@ LOG = """
 """
 
 
+@pytest.mark.slow
 def test_steps_come_in_their_order(tmp_path: Path) -> None:
     events = events_from("a", "special 101;mouse 0 1 10 20;motion 11 21;menu 5;reshape 60 40;tick")
     record = play(tmp_path, program_file(tmp_path, LOG), events=events)
@@ -71,6 +72,7 @@ def test_steps_come_in_their_order(tmp_path: Path) -> None:
     assert record["calls"]["glutSwapBuffers"] == 4
 
 
+@pytest.mark.slow
 def test_without_idle_and_events_time_jumps_to_the_timer(tmp_path: Path) -> None:
     script = program_file(
         tmp_path,
@@ -149,6 +151,7 @@ def test_any_program_is_shaded_otherwise_and_resized(tmp_path: Path) -> None:
     assert apart.max() > 40, "the highlight is inside of a face"
 
 
+@pytest.mark.slow
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     gif = tmp_path / "all.gif"
     words = ["--out", str(tmp_path / "out"), "--keys", "ab", "--gif", str(gif), "--json"]
@@ -159,6 +162,7 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     assert Image.open(gif).n_frames >= 2
 
 
+@pytest.mark.slow
 def test_command_line_arguments_go_to_the_program(tmp_path: Path) -> None:
     text = "open('log.txt', 'w').write(repr(sys.argv[1:]))\nglutDisplayFunc(lambda: None)\nglutMainLoop()\n"
     script = program_file(tmp_path, text)
@@ -178,6 +182,7 @@ def test_bad_events(events: str, sentence: str) -> None:
 # ---------------------------------------------------------------- programs that end in their own way
 
 
+@pytest.mark.slow
 def test_an_exception_is_the_scripts(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     script = program_file(
         tmp_path, "def display():\n    glBegin(GL_LIGHTING)\nglutDisplayFunc(display)\nglutMainLoop()\n"
@@ -190,6 +195,7 @@ def test_an_exception_is_the_scripts(tmp_path: Path, capfd: pytest.CaptureFixtur
     assert "glsim/" not in said.replace("program.py", "")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "status", "frames"),
     [

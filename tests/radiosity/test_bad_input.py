@@ -38,6 +38,7 @@ def test_bad_scenes(polygons: list[np.ndarray], material: Material, sentence: st
         replace(b.scene(), materials=(material,)).checked()
 
 
+@pytest.mark.slow
 def test_a_room_inside_out() -> None:
     scene = replace(BUILT_IN["goral"].make().flipped(), name="inverted")
     with pytest.raises(SceneError, match="are the normals inverted"):

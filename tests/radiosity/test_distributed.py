@@ -80,7 +80,7 @@ def test_an_interrupted_run_goes_on_without_us(cluster: Any, here: radiosity.Rad
         with get_task_stream(client) as stream:
             same(radiosity.solve("cornell", PATCHES, scheduler=address, checkpoint="mine"), here)
         again = {str(task["key"]).split("-")[0] for task in stream.data}
-        assert "_product" in again
+        assert "_block_product" in again
         assert "glsim" not in again
         assert "mine" not in client.list_datasets()
 

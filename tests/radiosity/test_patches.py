@@ -61,6 +61,7 @@ def test_no_t_vertices() -> None:
             assert not ((off < 1e-6) & (along > 1e-6) & (along < 1 - 1e-6)).any()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BUILT_IN)
 def test_built_in_scenes(name: str) -> None:
     """Nothing is odd about them: fronts look inwards, all rooms but the plates are closed."""

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import islice, pairwise
 
 import numpy as np
 import pytest
 
 from glsim.radiosity.formfactors import FormFactors
 from glsim.radiosity.scene import SceneError
+from glsim.radiosity.solution import solve
 from glsim.radiosity.solvers import SOLVERS, System, solved
 from tests.radiosity.helpers import CASES
 
@@ -62,3 +64,14 @@ def test_round_patches_of_a_sphere(solver: str) -> None:
             break
     assert pytest.approx(np.array(case["B"]), rel=1e-5) == step.B
     assert step.balance == pytest.approx(1.0, abs=1e-6)
+
+
+def test_the_iterations_of_a_solution_can_be_followed() -> None:
+    box = solve("goral", patches=60)
+    steps = list(islice(box.iterations("jacobi"), 40))
+    assert [step.iteration for step in steps] == list(range(steps[0].iteration, steps[0].iteration + 40))
+    assert all(later.residual < earlier.residual for earlier, later in pairwise(steps))
+    np.testing.assert_allclose(steps[-1].B, box.B, atol=1e-4)
+    np.testing.assert_allclose(box.at_vertices(box.patches.E), box.direct())
+    with pytest.raises(SceneError, match="the solvers are .*, not 'jacoby'"):
+        box.iterations("jacoby")

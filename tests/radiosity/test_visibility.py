@@ -30,8 +30,8 @@ def test_what_bodies_tell_agrees_with_rays(name: str) -> None:
     arrays = parts.corners, parts.counts, parts.normal, np.stack([i, j], axis=1)
     with_bodies, rays_alone = Visibility(Rays(parts.scene)), Visibility(Rays(parts.scene))
     rays_alone.bodies = None
-    share, asked = with_bodies.asked(*arrays)
-    everywhere, all_asked = rays_alone.asked(*arrays)
+    share, asked = with_bodies.fractions_and_undecided(*arrays)
+    everywhere, all_asked = rays_alone.fractions_and_undecided(*arrays)
     assert len(asked) < len(all_asked) == len(i)
     sure = np.setdiff1d(np.arange(len(i)), asked)
     assert set(np.unique(share[sure])) == {0.0, 1.0}

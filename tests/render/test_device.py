@@ -241,6 +241,7 @@ def test_without_any_gl_library_every_attempt_is_told() -> None:
     assert "DISPLAY is not set" in last[3]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the libraries of Linux are masked")
 def test_doctor_without_any_gl_library() -> None:
     done = python("-c", MASK + "from glsim.cli import main\nraise SystemExit(main(['doctor', '--json']))", DISPLAY="")

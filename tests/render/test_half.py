@@ -8,7 +8,7 @@ import sys
 import pytest
 
 BLOCKED = "import sys; sys.modules['moderngl'] = sys.modules['glcontext'] = None\n"  # importing either raises
-PLAIN = ("batch", "outline", "lines", "programs", "uniforms", "specialise", "fold", "glsl", "pixels")
+PLAIN = ("batch", "outline", "lines", "key", "programs", "uniforms", "specialise", "fold", "glsl", "pixels")
 DRAWING = ("gpu", "draw", "source", "corestate", "compile", "textures", "accumulation", "inspect", "raw")
 
 RECORDING = """

@@ -13,12 +13,13 @@ from glsim.gl import *
 from glsim.play.capture import capture
 from glsim.render import compile, programs
 from glsim.render.batch import Plan, plans
+from glsim.render.key import LightKind, ProgramKey, program_key
 
 
-def key() -> programs.ProgramKey:
+def key() -> ProgramKey:
     from glsim.machine.current import current_machine
 
-    return programs.program_key(current_machine().snapshot())
+    return program_key(current_machine().snapshot())
 
 
 def test_what_does_not_matter_does_not_change_the_key(screen: glsim.Offscreen) -> None:
@@ -39,7 +40,7 @@ def test_what_does_not_matter_does_not_change_the_key(screen: glsim.Offscreen) -
     glLightf(GL_LIGHT3, GL_LINEAR_ATTENUATION, 1)  # directional: attenuation does not matter
     assert key() == lit
     glLightfv(GL_LIGHT3, GL_POSITION, [0, 0, 1, 1])
-    assert key().lights == (programs.LightKind(3, True, True, True),)
+    assert key().lights == (LightKind(3, True, True, True),)
 
 
 def test_program_source_is_the_glsl_of_the_present_state(screen: glsim.Offscreen) -> None:

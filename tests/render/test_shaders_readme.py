@@ -11,6 +11,7 @@ from glsim.files import data_folder
 from glsim.machine import constants
 from glsim.machine.state import Combine
 from glsim.render import programs
+from glsim.render.key import ProgramKey, UnitKind
 
 FOLDER = data_folder("shaders")
 README = (FOLDER / "README.md").read_text(encoding="utf-8")
@@ -22,8 +23,8 @@ def names(pattern: str, text: str = README) -> set[str]:
 
 def printed() -> set[str]:
     """The constants in front of a program with textures; not the values that they are compared with."""
-    unit = programs.UnitKind(0, 2, True, True, False, False, False, 0, Combine(), (True,) * 3, (0,) * 4)
-    text = programs.constants(programs.ProgramKey(units=(unit,)))
+    unit = UnitKind(0, 2, True, True, False, False, False, 0, Combine(), (True,) * 3, (0,) * 4)
+    text = programs.constants(ProgramKey(units=(unit,)))
     found = names(r"^(?:#define|const [\w\[\]]+) (\w+)", text) - set(programs.ENUMS)
     return {name for name in found if not name.startswith("PIXELS_")}
 

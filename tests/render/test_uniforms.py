@@ -70,10 +70,11 @@ def everything() -> None:
         glEnd()
 
 
+@pytest.mark.slow
 def test_every_member_lies_where_the_driver_reads_it(screen: glsim.Offscreen) -> None:
     everything()
     screen.pixels()
-    load, offsets = screen._opened.loader.load, declared()
+    load, offsets = screen._driver.loader.load, declared()
     p = ctypes.c_void_p
     indices = ctypes.CFUNCTYPE(None, ctypes.c_uint, ctypes.c_int, p, p)(load("glGetUniformIndices"))
     parameters = ctypes.CFUNCTYPE(None, ctypes.c_uint, ctypes.c_int, p, ctypes.c_uint, p)(load("glGetActiveUniformsiv"))

@@ -150,8 +150,8 @@ def test_a_contribution_is_made_of_its_factors() -> None:
     assert light.attenuation == pytest.approx(1 / (1 + 0.5 * d))
     assert pytest.approx(N @ np.array([0.8, 2.1, 6.0]) / d) == light.N_L
     assert light.specular == pytest.approx(light.strength * np.array(GOLD.k_s) * LAMP.specular[:3] * light.cosine**12)
-    assert terms.sum == pytest.approx(terms.emission + terms.glow + light.ambient + light.diffuse + light.specular)
-    assert terms.glow == pytest.approx(0.3 * np.array(GOLD.k_a))
+    assert terms.sum == pytest.approx(terms.emission + terms.ambient + light.ambient + light.diffuse + light.specular)
+    assert terms.ambient == pytest.approx(0.3 * np.array(GOLD.k_a))
     with pytest.raises(ValueError, match="lobe must be"):
         shading.illuminate(GOLD, [], N, P, lobe="cook")
 

@@ -142,6 +142,7 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     report = json.loads(capsys.readouterr().out)
     assert report["status"] == "ok"
     assert report["differences"][0] == {"lobe": "blinn", "mode": "flat", "max": 0, "mean": 0.0}
+    assert report["metrics"][1].keys() >= {"lobe", "mode", "reference", "max", "mean", "rmse", "different", "ssim"}
     assert output.exists()
     words = ["compare", "sphere:8", "--size", "32", "--light", "1,2,3", "--light", "0,0,5,1,0.5", "-o", str(output)]
     assert main([*words, "--camera", "10,20,5", "--material", "jade", "--lobe", "phong"]) == 0

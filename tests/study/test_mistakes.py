@@ -3,163 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 import pytest
 
 import glsim
 from glsim.gl import *
-from glsim.glu import gluLookAt, gluPerspective
-from glsim.glut.shapes import glutSolidCube
+from glsim.glu import gluLookAt
+from glsim.glut.polyhedra import glutSolidCube
 from glsim.play.capture import capture
-from glsim.study.mistakes import CHECKED, DIAGNOSES
+from glsim.study.mistakes import RULES
 from tests.drawing import captured, lit
-
-Program = Callable[[bool], None]
-BAD: dict[str, Program] = {}
-
-
-def mistake(kind: str) -> Callable[[Program], Program]:
-    def note(program: Program) -> Program:
-        BAD[kind] = program
-        return program
-
-    return note
-
-
-@mistake("normals-scaled")
-def scaled(mended: bool) -> None:
-    lit()
-    glScalef(0.5, 0.5, 0.5)
-    if mended:
-        glEnable(GL_NORMALIZE)
-    glutSolidCube(1)
-
-
-@mistake("normals-not-unit")
-def long_normals(mended: bool) -> None:
-    lit()
-    glNormal3f(0, 0, 1 if mended else 3)
-    glRectf(-1, -1, 1, 1)
-
-
-@mistake("surplus")
-def alpha_too_many(mended: bool) -> None:
-    glColor3f(1, 1, 0, *(() if mended else (1,)))
-    glRectf(-1, -1, 1, 1)
-
-
-@mistake("light-before-camera")
-def headlight(mended: bool) -> None:
-    lit()
-    glLoadIdentity()
-    if not mended:
-        glLightfv(GL_LIGHT0, GL_POSITION, [1, 2, 3, 1])
-    gluLookAt(3, 3, 3, 0, 0, 0, 0, 1, 0)
-    if mended:
-        glLightfv(GL_LIGHT0, GL_POSITION, [1, 2, 3, 1])
-    glutSolidCube(1)
-
-
-@mistake("lighting-without-normals")
-def no_normals(mended: bool) -> None:
-    lit()
-    glBegin(GL_TRIANGLES)
-    for z in (0.0, 0.8, -0.8):
-        if mended:
-            glNormal3f(0.6, 0.0, 0.8)
-        glVertex3f(z, 0.5 * z * z, z)
-    glEnd()
-
-
-@mistake("color-material-order")
-def order(mended: bool) -> None:
-    lit()
-    if mended:
-        glColorMaterial(GL_FRONT, GL_SPECULAR)
-        glEnable(GL_COLOR_MATERIAL)
-    else:
-        glEnable(GL_COLOR_MATERIAL)
-        glColorMaterial(GL_FRONT, GL_SPECULAR)
-    glutSolidCube(1)
-
-
-@mistake("highlight-lost")
-def coarse(mended: bool) -> None:
-    """A lamp close to the middle of a square."""
-    lit()
-    glLightfv(GL_LIGHT0, GL_POSITION, [0, 0, 0.5, 1])
-    glMaterialfv(GL_FRONT, GL_SPECULAR, [1, 1, 1, 1])
-    glMaterialf(GL_FRONT, GL_SHININESS, 60)
-    glNormal3f(0, 0, 1)
-    count = 30 if mended else 1
-    for i in range(count):
-        for j in range(count):
-            x, y = 2 * i / count - 1, 2 * j / count - 1
-            glRectf(x, y, x + 2 / count, y + 2 / count)
-
-
-@mistake("near-plane")
-def near(mended: bool) -> None:
-    glMatrixMode(GL_PROJECTION)
-    gluPerspective(60, 1, 0.5 if mended else 0, 10)
-    glMatrixMode(GL_MODELVIEW)
-    glTranslatef(0, 0, -3)
-    glRectf(-1, -1, 1, 1)
-
-
-@mistake("radians")
-def radians(mended: bool) -> None:
-    glRotatef(30 if mended else math.radians(30), 0, 0, 1)
-    glRectf(-0.5, -0.5, 0.5, 0.5)
-
-
-@mistake("matrix-stack")
-def unbalanced(mended: bool) -> None:
-    glPushMatrix()
-    glRectf(-0.5, -0.5, 0.5, 0.5)
-    if mended:
-        glPopMatrix()
-
-
-@mistake("depth-not-cleared")
-def stale(mended: bool) -> None:
-    glClear(GL_COLOR_BUFFER_BIT | (GL_DEPTH_BUFFER_BIT if mended else 0))
-    glEnable(GL_DEPTH_TEST)
-    glRectf(-0.5, -0.5, 0.5, 0.5)
-
-
-@mistake("normals-zero")
-def no_direction(mended: bool) -> None:
-    lit()
-    glNormal3f(0, 0, 1 if mended else 0)
-    glRectf(-0.5, -0.5, 0.5, 0.5)
-
-
-@mistake("up-along-view")
-def from_above(mended: bool) -> None:
-    gluLookAt(0, 0.5, 0, 0, 0, 0, *((0, 0, -1) if mended else (0, 1, 0)))
-    lit()
-    glutSolidCube(0.5)
-
-
-@mistake("position-of-three")
-def three_numbers(mended: bool) -> None:
-    lit()
-    glLightfv(GL_LIGHT0, GL_POSITION, (1, 2, 3, 1) if mended else (1, 2, 3))
-    glutSolidCube(0.5)
-
-
-@mistake("projection-in-modelview")
-def bent(mended: bool) -> None:
-    lit()
-    if mended:
-        glMatrixMode(GL_PROJECTION)
-    gluPerspective(45, 1, 1, 20)
-    glMatrixMode(GL_MODELVIEW)
-    glTranslatef(0, 0, -4)
-    glutSolidCube(1)
+from tests.study.planted import BAD, Program
 
 
 def kinds(program: Program, mended: bool) -> list[str]:
@@ -171,7 +26,7 @@ def test_a_diagnosis_fires(kind: str, screen: glsim.Offscreen) -> None:
     (found,) = glsim.trace(captured(lambda: BAD[kind](False))).mistakes
     assert found.kind == kind
     assert found.where is not None
-    assert found.where.file == __file__
+    assert found.where.file.endswith("planted.py")
     assert "{" not in found.sentence
 
 
@@ -181,7 +36,7 @@ def test_a_diagnosis_is_silent_on_the_mended_program(kind: str, screen: glsim.Of
 
 
 def test_every_diagnosis_is_tested() -> None:
-    assert {*BAD, "error", "missing-buffer"} == set(DIAGNOSES) == set(CHECKED)
+    assert {*BAD, "error", "missing-buffer", "never-swapped"} == set(RULES)
 
 
 @pytest.mark.parametrize("slices", [3, 4, 5, 6, 7, 8, 10, 12, 16, 24])
@@ -294,3 +149,21 @@ def test_normals_of_several_lengths_are_told_as_a_span(screen: glsim.Offscreen) 
         glEnd()
     (found,) = glsim.trace(frame).mistakes
     assert "normals have length 2 to 3 in eye space (glNormal got 2 to 3)" in found.sentence
+
+
+def test_numbers_that_are_none_and_arguments_that_are_missing(screen: glsim.Offscreen) -> None:
+    nan, infinite = float("nan"), float("inf")
+    with capture(calls=True) as frame:
+        lit()
+        glEnable(GL_CULL_FACE)
+        for wrong in (lambda: glRotatef("x", 1, 0, 0), lambda: glClear(), lambda: glEnable()):
+            with pytest.raises((TypeError, ValueError)):
+                wrong()
+        glRotatef(nan, 1, infinite, 0)
+        glColor3f(nan, 1, 1)
+        glBegin(GL_TRIANGLES)
+        for x in (nan, infinite, 1e38):
+            glNormal3f(x, 0, 0)
+            glVertex3f(x, -x, 1)
+        glEnd()
+    assert "radians" not in [found.kind for found in glsim.trace(frame).mistakes]

@@ -43,10 +43,10 @@ def some_pixels(picture: np.ndarray, count: int, rng: np.random.Generator) -> li
     return [(int(xs[k]), int(ys[k])) for k in chosen] + [(int(rng.integers(128)), int(rng.integers(128)))]
 
 
-GROUPS = [list(PROGRAMS)[k::8] for k in range(8)]
+GROUPS = [list(PROGRAMS)[k::80] for k in range(80)]
 
 
-@pytest.mark.parametrize("group", portions(8))
+@pytest.mark.parametrize("group", portions(80))
 def test_the_equation_gives_the_pixel_in_every_program(group: int, screen: glsim.Offscreen) -> None:
     """All programs of the oracle, six pixels of each: points, lines, textures, fog, blending, bitmaps, ..."""
     rng = np.random.default_rng(group)
@@ -220,7 +220,7 @@ def test_the_terms_of_the_evaluation(screen: glsim.Offscreen) -> None:
     assert light.power == pytest.approx(0.9**5)
     assert light.diffuse == pytest.approx((0.16, 0.24, 0.08))
     assert light.specular == pytest.approx([0.9 * 0.9**5] * 3)
-    total = np.sum([evaluation.emission, evaluation.glow, light.ambient, light.diffuse, light.specular], axis=0)
+    total = np.sum([evaluation.emission, evaluation.ambient, light.ambient, light.diffuse, light.specular], axis=0)
     assert evaluation.sum == pytest.approx(total)
 
 

@@ -20,10 +20,10 @@ def size_of(value: Any) -> int:
     return sum(map(size_of, value)) if isinstance(value, tuple) else 0
 
 
-def kept(most: int) -> Callable[[Callable[..., R]], Callable[..., R]]:
+def cached(limit: int) -> Callable[[Callable[..., R]], Callable[..., R]]:
     """A decorator like functools.lru_cache whose cache is limited in bytes.
 
-    most: bytes of the arrays in all cached results.  A result of more than a quarter of ``most`` is not cached.
+    limit: bytes of the arrays in all cached results.  A result of more than a quarter of ``limit`` is not cached.
     """
 
     def decorate(function: Callable[..., R]) -> Callable[..., R]:
@@ -41,10 +41,10 @@ def kept(most: int) -> Callable[[Callable[..., R]], Callable[..., R]]:
             value = function(*arguments)
             size = size_of(value) + 1024  # and what Python needs
             with lock:
-                if size <= most // 4 and arguments not in results:
+                if size <= limit // 4 and arguments not in results:
                     results[arguments] = value, size
                     total += size
-                while total > most:
+                while total > limit:
                     total -= results.popitem(last=False)[1][1]
             return value
 

@@ -1,0 +1,99 @@
+"""Checks a student's file: asks it, judges every part, and says the first thing that is wrong."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from glsim.course.asking import SECONDS, Answers, ask
+from glsim.course.exercise import Call, Drawn, Exercise, Part, Picture, Shader, Value
+from glsim.course.isolation import Isolation, Separate
+from glsim.course.judging import Mark, failed, judge_call, judge_value, mark
+from glsim.machine.frame import Frame
+from glsim.metrics import same_sign_blocks
+
+
+@dataclass(frozen=True)
+class Result:
+    """The marks of a file, one for each part of the exercise."""
+
+    exercise: Exercise
+    marks: tuple[Mark, ...]
+    printed: str = ""
+    note: str = ""
+
+    @cached_property
+    def points(self) -> int:
+        return sum(mark.points for mark in self.marks)
+
+    @property
+    def first_failure(self) -> Mark | None:
+        return next((mark for mark in self.marks if not mark.right), None)
+
+
+def check(exercise: Exercise, file: Path, isolation: Isolation | None = None, seconds: float = SECONDS) -> Result:
+    """Judge a student's file.  isolation: none for the student's own machine.  seconds: that the file may run.
+
+    Raises FileNotFoundError if there is no such file."""
+    return judged(exercise, ask(exercise, file, isolation or Separate(), seconds))
+
+
+def judged(exercise: Exercise, answers: Answers) -> Result:
+    """The marks for a file's answers."""
+    marks = tuple(
+        _judge(exercise, part, answer, answers)
+        for part, answer in zip(exercise.definition.parts, answers.values, strict=True)
+    )
+    return Result(exercise, marks, answers.printed, answers.note)
+
+
+def _judge(exercise: Exercise, part: Part, answer: dict[str, object], answers: Answers) -> Mark:
+    if isinstance(part, Call):
+        return judge_call(part, answer)
+    if isinstance(part, Value):
+        return judge_value(part, answer)
+    if isinstance(part, Shader):
+        from glsim.course.shaders import judge_shader
+
+        return judge_shader(part, answer)
+    if answers.frame is None or answer.get("error"):
+        return failed(part, answer)
+    if isinstance(part, Drawn):
+        return mark(part, part.judge(answers.frame) or "")
+    return _judge_picture(exercise, part, answers.frame)
+
+
+def _judge_picture(exercise: Exercise, part: Picture, frame: Frame) -> Mark:
+    """Redraw the Frame here and compare it with the picture beside the exercise, by the rule for other renderers."""
+    from glsim.render.context import own_screen
+
+    expected = np.asarray(Image.open(exercise.path.parent / part.name).convert("RGB"))
+    with own_screen(frame.width, frame.height) as screen:
+        screen.execute(frame.packets)
+        actual = np.ascontiguousarray(screen.pixels()[..., :3])
+    if actual.shape != expected.shape:
+        height, width = expected.shape[:2]
+        return mark(part, f"the picture has {frame.width} x {frame.height} pixels, and {width} x {height} are expected")
+    return mark(part, "" if _alike(expected, actual) else part.hint, expected=expected, actual=actual)
+
+
+def _alike(a: NDArray[np.uint8], b: NDArray[np.uint8]) -> bool:
+    """At most 2/255 but for 0.05 % of the pixels, and no block of pixels that is brighter or darker as a whole."""
+    far = (np.abs(a.astype(np.int16) - b).max(axis=2) > 2).mean()
+    return bool(far <= 0.0005) and same_sign_blocks(a, b) == 0
+
+
+def side_by_side(expected: NDArray[np.uint8], actual: NDArray[np.uint8]) -> Image.Image:
+    """Expected picture, actual picture and 8 times their difference, labelled, in a row."""
+    from glsim.pictures import tiles
+
+    pictures = [("expected", expected), ("yours", actual)]
+    if expected.shape == actual.shape:
+        difference = np.abs(expected.astype(np.int16) - actual)
+        pictures.append(("8 times the difference", np.minimum(8 * difference, 255).astype(np.uint8)))
+    return tiles("", [pictures])

@@ -1,0 +1,47 @@
+"""How a student's file is kept apart from everything else while it runs."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Protocol
+
+from glsim.play.supervise import supervised
+
+
+class Isolation(Protocol):
+    """Runs a command so that it can change nothing but the folders ``out`` and ``work`` below ``folder``."""
+
+    name: str  # for the report, such as "bubblewrap"
+
+    def run(self, command: Sequence[str], folder: Path, seconds: float) -> str:
+        """Run ``command`` for at most ``seconds``; afterwards none of its processes is left.
+
+        The command may read ``folder`` and what Python and the GL library need.
+        Returns a sentence about how it ended, "" if it ended by itself with exit code 0."""
+
+
+class Separate:
+    """A process of its own with a time limit and a clean environment, and nothing more."""
+
+    name = "not isolated"
+
+    def run(self, command: Sequence[str], folder: Path, seconds: float) -> str:
+        outcome = supervised(
+            command, cwd=str(folder / "work"), environment=environment(), stdout=subprocess.DEVNULL, timeout=seconds
+        )
+        if outcome.timed_out:
+            return f"stopped after {seconds:g} seconds: is there a loop that never ends?"
+        return "" if outcome.code == 0 else f"the process ended with exit code {outcome.code}"
+
+
+def environment() -> dict[str, str]:
+    """The environment of a student's process: nothing of the teacher's but what Python and the GL library need."""
+    root = str(Path(__file__).resolve().parents[2])
+    kept = {name: os.environ[name] for name in ("PATH", "LANG", "GLSIM_BACKEND", "SYSTEMROOT") if name in os.environ}
+    threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "LP_NUM_THREADS"), "1")
+    return {**kept, **threads, "PYTHONPATH": os.pathsep.join([root, *(p for p in sys.path if "site-packages" in p)]),
+            "PYTHONHASHSEED": "0", "PYTHONDONTWRITEBYTECODE": "1"}  # fmt: skip

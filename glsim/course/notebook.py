@@ -1,0 +1,35 @@
+"""A lesson as a notebook file (.ipynb, nbformat 4.5), with its outputs: for Colab, which opens no .py."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import Any
+
+from glsim.course.cells import Cell, Lesson
+from glsim.course.outputs import Output
+
+INSTALL = Cell("code", "%pip install -q 'glsim[course]'", "", 0)
+
+
+def notebook(lesson: Lesson, outputs: Sequence[Output] = ()) -> str:
+    """The notebook's JSON.  outputs: of each cell, as ``outputs.execute`` returns them; none for an empty notebook."""
+    cells = [_cell(INSTALL, Output(), 0)]
+    filled = outputs or [Output()] * len(lesson.cells)
+    cells += [_cell(cell, output, k) for k, (cell, output) in enumerate(zip(lesson.cells, filled, strict=True), 1)]
+    language = {"name": "python", "version": "3"}
+    kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
+    document = {"cells": cells, "metadata": {"kernelspec": kernel, "language_info": language}}
+    return json.dumps({**document, "nbformat": 4, "nbformat_minor": 5}, indent=1, ensure_ascii=False) + "\n"
+
+
+def _cell(cell: Cell, output: Output, number: int) -> dict[str, Any]:
+    common = {"id": f"cell-{number}", "metadata": {}, "source": cell.source.splitlines(keepends=True)}
+    if cell.kind == "markdown":
+        return {"cell_type": "markdown", **common}
+    outputs: list[dict[str, Any]] = []
+    if output.printed:
+        outputs.append({"output_type": "stream", "name": "stdout", "text": output.printed})
+    if output.shown:
+        outputs.append({"output_type": "execute_result", "data": output.shown, "metadata": {}, "execution_count": None})
+    return {"cell_type": "code", **common, "execution_count": None, "outputs": outputs}

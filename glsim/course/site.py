@@ -1,0 +1,126 @@
+"""The course as a site of static pages: a table of contents and a page for each lesson; no page asks another server."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+from pathlib import Path
+from string import Template
+
+from glsim.course.cells import Cell, Lesson
+from glsim.course.markdown import html, mathml
+from glsim.course.outputs import FILE_ENDINGS, Output, write_figures
+from glsim.course.source import highlighted
+from glsim.files import write_bytes, write_text
+
+TEMPLATES = Path(__file__).parent / "assets"
+ASSETS = ("course.css", "course.js", "STIXTwoMath.woff2", "STIXTwoMath-LICENSE.txt")
+PREDICTION = re.compile(r"^## Predict\b", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Page:
+    """A lesson that was run: its outputs, one for each cell."""
+
+    lesson: Lesson
+    outputs: Sequence[Output]
+
+
+def write_site(folder: Path, pages: Sequence[Page]) -> list[Path]:
+    """Write the pages of lessons, in their order, their table of contents and what they share; returns the HTML files.
+
+    folder: made if it does not exist.  Each file is written whole; the table of contents is written last.
+    Raises MissingPackageError without the extra ``course``, FormulaError for a formula that is none."""
+    (folder / "assets").mkdir(parents=True, exist_ok=True)
+    for name in ASSETS:
+        write_bytes(folder / "assets" / name, (TEMPLATES / name).read_bytes())
+    figures = {page.lesson.name: write_figures(folder / "figures", page.lesson, page.outputs) for page in pages}
+    written = []
+    for number, page in enumerate(pages):
+        path = folder / f"{page.lesson.name}.html"
+        before = pages[number - 1].lesson if number else None
+        after = pages[number + 1].lesson if number + 1 < len(pages) else None
+        write_text(path, _lesson(page, [p.lesson for p in pages], before, after))
+        written.append(path)
+    index = folder / "index.html"
+    write_text(index, _index(pages, figures))
+    return [index, *written]
+
+
+def _index(pages: Sequence[Page], figures: dict[str, list[Path]]) -> str:
+    cards = []
+    for page in pages:
+        lesson = page.lesson
+        picture = next(iter(figures[lesson.name]), None)
+        image = f'<img src="figures/{picture.name}" alt="" loading="lazy">' if picture else ""
+        cards.append(
+            f'<li><a href="{lesson.name}.html">{image}<strong>{lesson.number}. {escape(lesson.title)}</strong>'
+            f"<span>{_plain(lesson.about)}</span></a></li>"
+        )
+    body = f'<h1>How light becomes pixels</h1><ol class="cards">{"".join(cards)}</ol>'
+    return _filled("How light becomes pixels", "index", "", body, "")
+
+
+def _lesson(page: Page, all_: Sequence[Lesson], before: Lesson | None, after: Lesson | None) -> str:
+    lesson = page.lesson
+    links = "".join(
+        f'<li><a href="{one.name}.html"{" aria-current=page" if one is lesson else ""}>{one.number}. '
+        f"{escape(one.title)}</a></li>"
+        for one in all_
+    )
+    sections = []
+    awaiting = False  # whether the next figure is hidden until its question is answered
+    for number, (cell, output) in enumerate(zip(lesson.cells, page.outputs, strict=True)):
+        sections.append(_section(lesson, cell, output, number, awaiting))
+        awaiting = bool(PREDICTION.search(cell.source)) if cell.kind == "markdown" else awaiting and not output.shown
+    around = "".join(
+        f'<a class="{word}" rel="{word}" href="{other.name}.html">{escape(other.title)}</a>'
+        for word, other in (("prev", before), ("next", after))
+        if other
+    )
+    around = f'<footer><nav aria-label="Lessons">{around}</nav></footer>\n'
+    contents = f'<details class="contents"><summary>Contents</summary><ol>{links}</ol></details>'
+    return _filled(lesson.title, "lesson", contents, "".join(sections), around)
+
+
+def _filled(title: str, kind: str, contents: str, body: str, around: str) -> str:
+    template = Template((TEMPLATES / "page.html").read_text(encoding="utf-8"))
+    return template.substitute(title=escape(title), kind=kind, contents=contents, body=body, around=around)
+
+
+# ---------------------------------------------------------------- the cells of a page
+
+
+def _section(lesson: Lesson, cell: Cell, output: Output, number: int, awaiting: bool) -> str:
+    if cell.kind == "markdown":
+        kind = "predict" if PREDICTION.search(cell.source) else "prose"
+        return f'<section class="cell {kind}">{html(cell.source)}</section>'
+    quoted = cell.source.startswith("glsim.source(")  # the lines of source alone are shown, not the call
+    code = "" if quoted else highlighted(cell.source, "python")
+    printed = f'<pre class="printed">{escape(output.printed)}</pre>' if output.printed else ""
+    figure = _figure(lesson, cell, output, number) if output.shown else ""
+    result = f'<div class="result{" awaiting" if awaiting and figure else ""}">{printed}{figure}</div>'
+    return f'<section class="cell code">{code}{result if printed or figure else ""}</section>'
+
+
+def _figure(lesson: Lesson, cell: Cell, output: Output, number: int) -> str:
+    """What a cell shows: a live element, a picture in a file of its own, a formula or text."""
+    caption = f"<figcaption>{_plain(cell.title)}</figcaption>" if cell.title else ""
+    if "text/html" in output.shown:
+        content = output.shown["text/html"]
+        return content if content.startswith("<figure") else f'<figure class="live">{content}{caption}</figure>'
+    for kind, ending in FILE_ENDINGS.items():
+        if kind in output.shown:
+            alternative = escape(cell.title or f"Figure of {lesson.title}", quote=True)
+            name = f"figures/{lesson.name}-{number}{ending}"
+            return f'<figure class="picture"><img src="{name}" alt="{alternative}" loading="lazy">{caption}</figure>'
+    if "text/latex" in output.shown:
+        return f'<figure class="formula">{mathml(output.shown["text/latex"].strip().strip("$"))}{caption}</figure>'
+    return f'<pre class="printed">{escape(output.shown["text/plain"])}</pre>'
+
+
+def _plain(text: str) -> str:
+    """A line of Markdown as HTML without a paragraph around it."""
+    return html(text).strip().removeprefix("<p>").removesuffix("</p>")

@@ -1,0 +1,56 @@
+"""What tests of exercises share: marks of a text, without a process for each."""
+
+from __future__ import annotations
+
+import importlib.util
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+
+from glsim.course.answering import answered
+from glsim.course.asking import Answers, request_for
+from glsim.course.checking import Result, check, judged
+from glsim.course.exercise import Exercise
+
+HERE = Path(__file__).parent
+SOLUTIONS, VARIANTS = HERE / "solutions", HERE / "variants"
+
+
+def solution_of(exercise: Exercise) -> str:
+    return (SOLUTIONS / exercise.filename).read_text(encoding="utf-8")
+
+
+@cache
+def variants_of(name: str) -> ModuleType:
+    """The module tests/course/variants/NN_topic.py.
+
+    RIGHT: name -> text of a right solution that is written differently.
+    WRONG: name -> (what is wrong, words of the hint).  What is wrong is a whole text, or a list of pairs (old, new) to
+    be replaced in the solution."""
+    spec = importlib.util.spec_from_file_location(f"variants_{name}", VARIANTS / f"{name}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def changed(exercise: Exercise, change: str | list[tuple[str, str]]) -> str:
+    """A wrong text: the solution with replacements, or the text itself."""
+    if isinstance(change, str):
+        return change
+    text = solution_of(exercise)
+    for old, new in change:
+        assert old in text, f"{exercise.name}: the solution has no {old!r}"
+        text = text.replace(old, new)
+    return text
+
+
+def marks_of(exercise: Exercise, text: str, folder: Path) -> Result:
+    """The result for a text; programs that draw run in a process of their own."""
+    path = folder / exercise.filename
+    path.write_text(text, encoding="utf-8")
+    if exercise.definition.program:
+        return check(exercise, path)
+    document = answered(request_for(exercise, path, folder))
+    return judged(exercise, Answers(document["answers"], printed=document["printed"]))

@@ -1,0 +1,65 @@
+"""Every exercise: right solutions get all points, the starter and typical mistakes lose some, with the right hint."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from glsim.course.cells import lessons
+from glsim.course.exercise import Exercise, exercises
+from glsim.course.handout import hints, starter
+from tests.course.grading import VARIANTS, changed, marks_of, solution_of, variants_of
+
+EXERCISES = exercises()
+WRONG = [
+    pytest.param(one, name, id=f"{one.name}-{name}")
+    for one in EXERCISES
+    if (VARIANTS / f"{one.name}.py").exists()
+    for name in variants_of(one.name).WRONG
+]
+
+
+@pytest.mark.parametrize("one", EXERCISES, ids=lambda one: one.name)
+def test_right_solutions_get_all_points(one: Exercise, tmp_path: Path) -> None:
+    variants = variants_of(one.name).RIGHT
+    assert len(variants) >= 2, "two solutions beside the reference, written differently"
+    for text in (solution_of(one), *variants.values()):
+        result = marks_of(one, text, tmp_path)
+        assert result.first_failure is None, f"{result.first_failure}\n{text}"
+        assert result.points == one.points
+
+
+@pytest.mark.parametrize("one", EXERCISES, ids=lambda one: one.name)
+def test_the_starter_fails_with_a_hint(one: Exercise, tmp_path: Path) -> None:
+    result = marks_of(one, starter(one), tmp_path)
+    assert result.first_failure is not None
+    assert result.first_failure.hint
+    assert "Error" not in result.first_failure.hint, "the starter runs"
+    assert len(variants_of(one.name).WRONG) >= 8, "eight typical mistakes"
+
+
+@pytest.mark.parametrize(("one", "name"), WRONG)
+def test_a_mistake_loses_points_and_gets_its_hint(one: Exercise, name: str, tmp_path: Path) -> None:
+    change, words = variants_of(one.name).WRONG[name]
+    result = marks_of(one, changed(one, change), tmp_path)
+    assert result.first_failure is not None, "the mistake is not noticed"
+    assert result.points < one.points
+    assert words in result.first_failure.hint, result.first_failure.hint
+
+
+def test_every_exercise_belongs_to_a_lesson_that_names_it() -> None:
+    course = {one.number: one for one in lessons()}
+    for one in EXERCISES:
+        lesson = course.get(one.definition.lesson)
+        assert lesson is not None, f"{one.name}: there is no lesson {one.definition.lesson}"
+        text = "\n".join(cell.source for cell in lesson.cells)
+        assert f"Exercise {one.number}" in text, f"lesson {lesson.number} does not name exercise {one.number}"
+
+
+@pytest.mark.parametrize("one", EXERCISES, ids=lambda one: one.name)
+def test_no_text_of_an_exercise_holds_its_solution(one: Exercise) -> None:
+    """Lines of the solution's code are neither in the starter nor in the hints."""
+    code = [line.strip() for line in solution_of(one).splitlines() if line.strip().startswith("return ")]
+    shown = one.definition.starter + "\n".join(hints(one)) + one.statement
+    assert not [line for line in code if len(line) > 16 and line in shown]
