@@ -68,6 +68,7 @@ class Session:
     def pytest_itemcollected(self, item: pytest.Item) -> None:
         self._collected[_file(item.nodeid)] += 1
 
+    @pytest.hookimpl(tryfirst=True)  # the terminal asks for the header's lines in its own hook of this name
     def pytest_collection_finish(self, session: pytest.Session) -> None:
         """Which files were collected whole, and what the header says of the renderer."""
         narrowed = self.config.getoption("lf", False) or any("::" in word for word in self.config.args)
