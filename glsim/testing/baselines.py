@@ -75,8 +75,12 @@ def pictures(folder: Path) -> list[Path]:
 
 
 def same_renderer(a: Mapping[str, str], b: Mapping[str, str]) -> bool:
-    """Whether the same version of the same renderer drew both pictures, or no driver is known of either."""
-    return all(a.get(key, "") == b.get(key, "") for key in ("renderer", "version"))
+    """Whether the same version of the same renderer drew both pictures, or no driver is known of either.
+
+    Where both know what their renderer made of the probe picture, that must be equal too: a software renderer rounds as
+    the machine that it runs on."""
+    alike = all(a.get(key, "") == b.get(key, "") for key in ("renderer", "version"))
+    return alike and len({facts["probe"] for facts in (a, b) if facts.get("probe")}) < 2
 
 
 def target(folder: Path, base: str, made: Mapping[str, str], closest: str = "", add: bool = False) -> Path:

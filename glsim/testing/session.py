@@ -193,7 +193,7 @@ def _header(folders: set[Path]) -> list[str]:
     from glsim.testing import screens
 
     try:
-        here = screens.probe()[0]
+        here = {**screens.probe()[0], "probe": screens.digest()}
     except NoDeviceError:
         return ["glsim: no OpenGL context can be opened here"]
     lines = [f"glsim: pictures are drawn by {here['renderer']}, {here['version']}"]

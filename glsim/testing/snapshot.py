@@ -126,9 +126,12 @@ class Snapshot:
 
     @staticmethod
     def _of_screen(screen: Offscreen, renderer: str) -> tuple[Pixels, dict[str, str]]:
-        from glsim.testing.screens import facts, opaque
+        from glsim.testing.screens import digest, facts, opaque, probe
 
-        return opaque(screen), {**facts(screen), **({"renderer": renderer} if renderer else {})}
+        made = facts(screen)
+        if renderer:
+            return opaque(screen), {**made, "renderer": renderer}
+        return opaque(screen), {**made, "probe": digest()} if made == probe()[0] else made
 
     def _checked_name(self, name: str, line: str, differs: bool) -> str:
         if not isinstance(name, str):
@@ -185,11 +188,7 @@ class Snapshot:
     @staticmethod
     def _facts(pixels: Pixels, made: dict[str, str]) -> dict[str, str]:
         """The text chunks of a picture that is written."""
-        facts = {**made, "size": f"{pixels.shape[1]} x {pixels.shape[0]}", "glsim": __version__}
-        screens = sys.modules.get("glsim.testing.screens")
-        if screens is not None and made.get("version") and made == screens.probe()[0]:
-            facts["probe"] = screens.digest()
-        return facts
+        return {**made, "size": f"{pixels.shape[1]} x {pixels.shape[0]}", "glsim": __version__}
 
     def _told(self, entry: Entry, line: str) -> str:
         """What failed, and where to look."""
