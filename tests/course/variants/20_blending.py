@@ -99,8 +99,5 @@ WRONG = {
     "alphas added": ([(LAYER, "share -= layer[3]")], "each layer takes its share"),
     "the rest": ([("    return share", "    return 1 - share")], "hold back"),
     "all layers": ([("if depth < solid", "if True")], "are hidden"),
-    "behind the wall": (
-        [("if depth < solid", "if depth > solid or solid > 9 or solid == 3")],
-        "behind the wall are taken",
-    ),
+    "behind the wall": ([("if depth < solid", "if depth > solid")], "do the layers before the wall count"),
 }
