@@ -90,14 +90,14 @@ def mixtures(mode, count=8):
 
 
 INNER = [
-    (SMALL, 0.25, 0.25),
-    (SMALL, 0.75, 0.25),
-    (SMALL, 0.25, 0.75),
+    (SMALL, 0.2, 0.2),
+    (SMALL, 0.9, 0.2),
+    (SMALL, 0.2, 0.9),
     *points(0.01, 0.99, 14),
 ]
 OUTER = [
-    (SMALL, 1.25, -0.25),
-    (SMALL, -0.25, 0.25),
+    (SMALL, 1.2, -0.2),
+    (SMALL, -0.2, 0.2),
     *points(1, 4, 8),
     *points(-3, 0, 8),
 ]
@@ -140,7 +140,7 @@ LINEAR_MISTAKES = [
     Mistake(lambda x, s, t: linear(x, s, t, clamp=True), "At the border the texel itself is drawn out (GL_CLAMP_TO_EDGE); with GL_REPEAT its neighbour is the texel of the other side."),
     Mistake(lambda x, s, t: linear(x, s - np.floor(s), t - np.floor(t), clamp=True), "Between the last texel and the first nothing is mixed: the neighbours repeat, too."),
     Mistake(lambda x, s, t: linear(x, s, t, inside=np.trunc), "Below 0 int() rounds towards 0, that is up: take the floor."),
-    Mistake(lambda x, s, t: 2 * np.mean([linear(x, s, t, inside=np.floor)], axis=0), "The weights must have the sum 1."),
+    Mistake(lambda x, s, t: 2 * linear(x, s, t), "The weights must have the sum 1."),
     Mistake(lambda x, s, t: four(x, s, t).mean(axis=0), "The four texels are mixed in equal parts: the nearer ones must count more."),
     Mistake(lambda x, s, t: linear(x, *crossed(x, s, t)), "The weights are exchanged: what is nearer must count more."),
 ]  # fmt: skip
