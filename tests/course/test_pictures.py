@@ -14,9 +14,8 @@ from PIL import Image
 
 from glsim.course.asking import ask
 from glsim.course.exercise import Exercise, Picture, exercises
-from glsim.course.isolation import Separate
 from glsim.render.context import own_screen
-from tests.course.grading import solution_of
+from tests.course.grading import Forked, solution_of
 
 WITH_PICTURES = [one for one in exercises() if any(isinstance(part, Picture) for part in one.definition.parts)]
 
@@ -25,7 +24,7 @@ def drawn(exercise: Exercise, folder: Path) -> np.ndarray:
     """The picture of an exercise's solution, (height, width, 3)."""
     path = folder / exercise.filename
     path.write_text(solution_of(exercise), encoding="utf-8")
-    frame = ask(exercise, path, Separate()).frame
+    frame = ask(exercise, path, Forked()).frame
     assert frame is not None
     with own_screen(frame.width, frame.height) as screen:
         screen.execute(frame.packets)
