@@ -220,7 +220,11 @@ def judge_normals(frame: Frame) -> str | None:
     ]
     if not rows:
         return "The roof is not drawn."
-    faces = np.concatenate([r[: len(r) // 3 * 3] for r in rows]).astype(float).reshape(-1, 3, 10)
+    faces = (
+        np.concatenate([r[: len(r) // 3 * 3] for r in rows])
+        .astype(float)
+        .reshape(-1, 3, 10)
+    )
     corners, normals = faces[:, :, :3], faces[:, :, 3:6]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     across = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-9)

@@ -22,7 +22,8 @@ glutDisplayFunc(display)
 glutMainLoop()
 """
 RIGHT = {
-    "materials, a display list, one glBegin a face": HEAD + """
+    "materials, a display list, one glBegin a face": HEAD
+    + """
 def material(r, g, b):
     glMaterialfv(GL_FRONT, GL_AMBIENT, [r, g, b, 1])
     glMaterialfv(GL_FRONT, GL_DIFFUSE, [r, g, b, 1])
@@ -63,8 +64,10 @@ def display():
     glutSolidSphere(1.5, 40, 40)
     glutSwapBuffers()
 
-""" + END,
-    "switched on where it is needed": HEAD + """
+"""
+    + END,
+    "switched on where it is needed": HEAD
+    + """
 def roof():
     glBegin(GL_TRIANGLES)
     for k in range(4):
@@ -106,7 +109,8 @@ def display():
     draw_world()
     glutSwapBuffers()
 
-""" + END,
+"""
+    + END,
 }
 
 LIGHT = "    glLightfv(GL_LIGHT0, GL_POSITION, [4, 5, 6, 1])\n"
