@@ -26,12 +26,14 @@ Float = NDArray[np.float32]
 
 def prepare(draws: Iterable[Draw]) -> Iterator[Draw]:
     """The same picture as Draws that the core profile can draw: the Draws themselves where it can, else others."""
-    draws = [_without_affine(draw) if _behind_the_eye(draw) else draw for draw in draws]
+    draws = list(draws)
     if not any(map(_need, draws)):
         yield from draws
         return
     for (need, _, _), group in groupby(draws, key=lambda draw: (_need(draw), id(draw.vertices), draw.state)):
-        if need == "unfilled":
+        if need == "hyperbolic":
+            yield from prepare(draw.with_state(draw.state._replace(hints=Hints())) for draw in group)
+        elif need == "unfilled":
             yield from prepare(part for draw in group for part in unfilled(draw))
         elif need == "lines":
             yield from lines(list(group))
@@ -40,22 +42,19 @@ def prepare(draws: Iterable[Draw]) -> Iterator[Draw]:
 
 
 def _behind_the_eye(draw: Draw) -> bool:
-    """Whether values should be interpolated linearly between places on the screen that a vertex does not have."""
-    if draw.state.hints.perspective_correction != gl.GL_AFFINE_GLSIM:
-        return False
+    """Whether a vertex has no place on the screen, so that nothing can be linear between it and others there."""
     count = draw.count if draw.indices is None else len(draw.indices)
     numbers = np.arange(count, dtype=np.uint32) if draw.indices is None else draw.indices
     return bool((clip_positions(draw, numbers + np.uint32(draw.first))[:, 3] <= 0.0).any())
 
 
-def _without_affine(draw: Draw) -> Draw:
-    return draw.with_state(draw.state._replace(hints=Hints()))
-
-
 def _need(draw: Draw) -> str:
-    """Why the core profile cannot draw it: its polygons are "unfilled", its "lines" are wide; "" if it can."""
+    """Why it cannot be drawn as it is: its polygons are "unfilled", its "lines" are wide, or affine interpolation is
+    asked for where only a "hyperbolic" one is possible; "" if it can."""
     kind = corners(draw.mode)
     state = draw.state
+    if state.hints.perspective_correction == gl.GL_AFFINE_GLSIM and _behind_the_eye(draw):
+        return "hyperbolic"
     if kind == 3 and (state.polygon.front_mode != gl.GL_FILL or state.polygon.back_mode != gl.GL_FILL):
         return "unfilled"
     if kind == 2 and (state.line.stipple or widened(state)) and "line_corner" not in draw.block.columns:

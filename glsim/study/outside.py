@@ -396,9 +396,15 @@ def _draw_over(overlay: Overlay, world: _World, view: _View, axes: bool, labels:
     if world.far_shown:
         overlay.label("far plane", view.at(world.corners[7]), FAR, 18.0)
     else:
-        overlay.label(f"far plane at z = {world.corners[4, 2]:.4g}", view.at(_end_of_frustum(world)[3]), FAR, 18.0)
+        overlay.label(_far_name(world), view.at(_end_of_frustum(world)[3]), FAR, 18.0)
     if image and np.linalg.norm(world.plane[0] - world.corners[0]) > 1e-3 * world.radius:
         overlay.label("the picture", view.at(world.plane[2]), VIEW, 18.0)
+
+
+def _far_name(world: _World) -> str:
+    """Where the far plane is, as far as the numbers of the projection matrix, of 24 bits, tell it."""
+    near, far = float(world.corners[0, 2]), float(world.corners[4, 2])
+    return f"far plane at z = {far:.3g}" if abs(far) < 1e4 * abs(near) else "far plane, far away"
 
 
 def _light_name(world: _World, number: int, light: Light) -> str:

@@ -230,9 +230,19 @@ def _remarks(chosen: Evaluation, light: LightTerms) -> list[str]:
     length = float(np.linalg.norm(chosen.N))
     if abs(length - 1.0) > 1e-3:
         remarks.append(f"N is not of unit length: |N| = {length:.3f}; here it is drawn as if it were.")
+    N, L, V = shading.normalize(chosen.N), np.array(light.L), np.array(light.V)
+    out = float(np.degrees(np.arcsin(np.clip(abs(V @ np.cross(N, _across(N, L, V))), 0.0, 1.0))))
+    if out > 2.0:
+        remarks.append(f"V leaves the plane of N and L by {out:.0f}°.")
     if light.N_L < 0.0:
         remarks.append("N·L < 0: the light is behind the surface.")
     return remarks
+
+
+def _across(N: Float, L: Float, V: Float) -> Float:
+    """The direction across N in the plane of N and L, away from L; of N and V if N is L, and zeros if all are one."""
+    side = -L if np.linalg.norm(np.cross(N, L)) > 1e-6 else V
+    return np.asarray(shading.normalize(side - (side @ N) * N))
 
 
 def _side_view(chosen: Evaluation, light: LightTerms) -> Image.Image:
@@ -240,12 +250,7 @@ def _side_view(chosen: Evaluation, light: LightTerms) -> Image.Image:
     from PIL import Image
 
     N, L, V = shading.normalize(chosen.N), np.array(light.L), np.array(light.V)
-    across = next(
-        (side for side in (shading.normalize(v - (v @ N) * N) for v in (-L, V)) if np.linalg.norm(side) > 0.5),
-        np.zeros(3),
-    )
-    if np.linalg.norm(np.cross(N, L)) < 1e-6:
-        across = shading.normalize(V - (V @ N) * N)
+    across = _across(N, L, V)
     long, x, y = 132.0, PANEL / 2.0, 198.0 if light.N_L >= 0.0 else 148.0
     overlay = Overlay(Image.new("RGB", (PANEL, 270), PAPER))
     overlay.line([(24.0, y), (PANEL - 24.0, y)], FAINT, 2.0)
@@ -256,9 +261,6 @@ def _side_view(chosen: Evaluation, light: LightTerms) -> Image.Image:
     for name, vector in (("R", shading.reflection(N, L)), ("H", shading.halfway(L, V)), ("V", V), ("L", L), ("N", N)):
         overlay.arrow((x, y), place(vector), COLORS[name], 3.0)
         overlay.label(name, place(vector), COLORS[name], 20.0)
-    out = float(np.degrees(np.arcsin(np.clip(abs(V @ np.cross(N, across)), 0.0, 1.0))))
-    if out > 2.0:
-        overlay.label(f"V leaves this plane by {out:.0f}°", (x, 240.0), FAINT, 14.0)
     return overlay.image()
 
 
