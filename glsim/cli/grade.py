@@ -109,12 +109,22 @@ def _graded(chosen: list[Submission], wanted: list[Exercise], options: argparse.
 
 def _write(graded: list[Total], options: argparse.Namespace) -> list[Path]:
     """Write what the options ask for; returns the files."""
-    from glsim.course.grading.tables import write_csv, write_json
+    from glsim.course.grading import classroom50, gradescope, junit, tables
 
     output = Path(options.output)
     output.mkdir(parents=True, exist_ok=True)
-    writers = {"csv": write_csv, "json": write_json}
-    return writers[options.format](output, graded) if options.format in writers else []
+    for_all = {"csv": tables.write_csv, "json": tables.write_json, "junit": junit.write}
+    for_each = {"gradescope": gradescope.write, "classroom50": classroom50.write}
+    if options.format in for_all:
+        return [for_all[options.format](output, graded)]
+    written = []
+    for total in graded if options.format in for_each else []:
+        if any(record.failure for record in total.records):
+            continue  # no file rather than a wrong one: a learning platform then shows an error and not a mark
+        folder = output if options.one else output / total.slug
+        folder.mkdir(exist_ok=True)
+        written.append(for_each[options.format](folder, total))
+    return written
 
 
 def _isolation(records: list[Record]) -> list[str]:

@@ -55,7 +55,7 @@ def _first_sentence(total: Total) -> str:
     return sentences[0] if sentences else ""
 
 
-def write_csv(folder: Path, totals: Sequence[Total]) -> list[Path]:
+def write_csv(folder: Path, totals: Sequence[Total]) -> Path:
     """Write marks.csv: a row for each submission, a column for each exercise."""
     names = exercise_names(totals)
     text = io.StringIO()
@@ -67,7 +67,7 @@ def write_csv(folder: Path, totals: Sequence[Total]) -> list[Path]:
         rows.writerow([_cell(total.submission), *points, total.points, total.most, _cell(_first_sentence(total))])
     path = folder / "marks.csv"
     write_text(path, text.getvalue())
-    return [path]
+    return path
 
 
 def _cell(text: str) -> str:
@@ -75,12 +75,12 @@ def _cell(text: str) -> str:
     return "'" + text if text.startswith(FORMULA) else text
 
 
-def write_json(folder: Path, totals: Sequence[Total]) -> list[Path]:
+def write_json(folder: Path, totals: Sequence[Total]) -> Path:
     """Write marks.json: all that was found out but for pictures and times, so that equal marks give equal files."""
     path = folder / "marks.json"
     document = {"exercises": exercise_names(totals), "submissions": [_plain(total) for total in totals]}
     write_text(path, json.dumps(document, indent=1, ensure_ascii=False) + "\n")
-    return [path]
+    return path
 
 
 def _plain(total: Total) -> dict[str, Any]:
