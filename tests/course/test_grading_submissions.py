@@ -47,7 +47,7 @@ def folder_of(path: Path, *names: str) -> Path:
         (["03_lambert.py"], "03_lambert.py"),
         (["lambert (1).py"], "lambert (1).py"),
         (["jdoe_123_456_03_lambert-2.py", "jdoe_123_457_05_snell.py"], "jdoe_123_456_03_lambert-2.py"),
-        (["name_12345_assignsubmission_file_/03_lambert.py", "readme.txt"], "name_12345_assignsubmission_file_/03_lambert.py"),
+        (["me_1_assignsubmission_file_/03_lambert.py", "x.txt"], "me_1_assignsubmission_file_/03_lambert.py"),
         (["03_Lambert.PY", "05_snell.py"], "03_Lambert.PY"),
         (["03_lambert_jdoe.py", "05_snell.py"], "03_lambert_jdoe.py"),
         (["whatever.py", "readme.txt"], "whatever.py"),

@@ -7,6 +7,7 @@ import hashlib
 import io
 import multiprocessing
 import os
+import shutil
 import tempfile
 import threading
 import time
@@ -164,6 +165,7 @@ def _begin(scratch: str) -> None:
 
     def watch() -> None:
         parent.join()
+        shutil.rmtree(scratch, ignore_errors=True)
         os._exit(1)
 
     threading.Thread(target=watch, daemon=True).start()
