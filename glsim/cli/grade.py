@@ -109,15 +109,15 @@ def _graded(chosen: list[Submission], wanted: list[Exercise], options: argparse.
 
 def _write(graded: list[Total], options: argparse.Namespace) -> list[Path]:
     """Write what the options ask for; returns the files."""
-    from glsim.course.grading import classroom50, gradescope, junit, tables
+    from glsim.course.grading import classroom50, gradescope, junit, overview, tables
 
     output = Path(options.output)
     output.mkdir(parents=True, exist_ok=True)
+    written = [] if options.one else [overview.write(output, graded)]
     for_all = {"csv": tables.write_csv, "json": tables.write_json, "junit": junit.write}
     for_each = {"gradescope": gradescope.write, "classroom50": classroom50.write}
     if options.format in for_all:
-        return [for_all[options.format](output, graded)]
-    written = []
+        written.append(for_all[options.format](output, graded))
     for total in graded if options.format in for_each else []:
         if any(record.failure for record in total.records):
             continue  # no file rather than a wrong one: a learning platform then shows an error and not a mark
