@@ -28,7 +28,8 @@ def add(commands: Any) -> None:
                "2 wrong command line; 130 Ctrl-C, after which --resume goes on.",
     )  # fmt: skip
     p.add_argument("submissions", metavar="SUBMISSIONS", nargs="?",
-                   help="a folder; each entry is one submission: a file, a folder or a zip archive")  # fmt: skip
+                   help="a folder; each entry is one submission: a file, a folder or a zip archive. "
+                        "With --scaffold the folder to be written")  # fmt: skip
     p.add_argument("--exercise", metavar="N", required=True, help="a number or a name, several with commas, or all")
     p.add_argument("--format", choices=FORMATS, default="table",
                    help="table is printed; the others are written to DIR (default: %(default)s)")  # fmt: skip
@@ -40,6 +41,8 @@ def add(commands: Any) -> None:
                    help="keep the marks in DIR of files and exercises that have not changed")  # fmt: skip
     p.add_argument("--one", action="store_true",
                    help="SUBMISSIONS is one submission; write what --format writes, and nothing else")  # fmt: skip
+    p.add_argument("--scaffold", choices=("classroom50", "gradescope"),
+                   help="grade nothing; write the folder that a learning platform wants as its autograder")  # fmt: skip
     p.add_argument("--timeout", type=positive, default=20.0, metavar="SECONDS",
                    help="that a student's file may run (default: %(default)g)")  # fmt: skip
     p.add_argument("--json", action="store_true", help="print one JSON object")
@@ -53,6 +56,8 @@ def _run(options: argparse.Namespace) -> int:
     if options.submissions is None:
         options.error("the following arguments are required: SUBMISSIONS")
     wanted, folder, output = _wanted(options.exercise), Path(options.submissions), Path(options.output)
+    if options.scaffold:
+        return _scaffold(options, wanted, folder)
     if options.one and not folder.exists():
         raise FileNotFoundError(f"{folder}: there is no such file or folder")
     chosen = [Submission(folder.resolve().name, (folder,))] if options.one else submissions(folder, output)
@@ -69,6 +74,14 @@ def _run(options: argparse.Namespace) -> int:
     else:
         _tell(graded, failures, written, options)
     return 1 if failures else 0
+
+
+def _scaffold(options: argparse.Namespace, wanted: list[Exercise], folder: Path) -> int:
+    from glsim.course.grading.scaffold import scaffold
+
+    written = [str(path) for path in scaffold(options.scaffold, folder, wanted)]
+    print(json.dumps({"status": "ok", "files": written}) if options.json else "\n".join(f"wrote {w}" for w in written))
+    return 0
 
 
 def _wanted(text: str) -> list[Exercise]:
