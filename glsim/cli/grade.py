@@ -125,6 +125,8 @@ def _write(graded: list[Total], options: argparse.Namespace) -> list[Path]:
     from glsim.course.grading import classroom50, gradescope, junit, overview, tables
 
     output = Path(options.output)
+    if options.one and options.format == "table":
+        return []
     output.mkdir(parents=True, exist_ok=True)
     written = [] if options.one else [overview.write(output, graded)]
     for_all = {"csv": tables.write_csv, "json": tables.write_json, "junit": junit.write}

@@ -95,7 +95,7 @@ def test_only_what_has_changed_is_graded_again(
 ) -> None:
     folder = tmp_path / "all"
     shutil.copytree(handed_in, folder)
-    words = (str(folder), "--exercise", "3", "-o", str(folder / "marks"), "--json", "-j", "2")
+    words = (str(folder), "--exercise", "3", "-o", str(folder / "marks"), "--json", "-j", "2", "--format", "json")
     graded: list[str] = []
     original = run._all
 
@@ -106,11 +106,13 @@ def test_only_what_has_changed_is_graded_again(
     monkeypatch.setattr(run, "_all", counted)
     assert grade(*words) == 0
     first = json.loads(capsys.readouterr().out)
+    marks = (folder / "marks" / "marks.json").read_bytes()
     assert len(graded) == 4
     graded.clear()
     assert grade(*words, "--resume") == 0
     assert json.loads(capsys.readouterr().out) == first
     assert graded == []
+    assert (folder / "marks" / "marks.json").read_bytes() == marks
     (folder / "ann" / LAMBERT.filename).write_text("x = 1")
     store = Store(folder / "marks" / "records")
     damaged = next(path for path in store.folder.iterdir() if path.name.startswith("eve"))
@@ -145,16 +147,19 @@ def test_what_is_done_survives_an_end_and_no_process_stays(number: int, tmp_path
     ]
     scratch = tmp_path / "scratch"
     scratch.mkdir()
-    process = subprocess.Popen(words, stderr=subprocess.PIPE, text=True, env={**os.environ, "TMPDIR": str(scratch)})
+    process = subprocess.Popen(
+        words, stderr=subprocess.PIPE, text=True, env={**os.environ, "TMPDIR": str(scratch)}, start_new_session=True
+    )
     wait_until(lambda: list(records.glob("*.json")))
     time.sleep(0.5)
-    process.send_signal(number)
+    (os.killpg if number == signal.SIGINT else os.kill)(process.pid, number)  # a terminal's Ctrl-C is for all
     began = time.monotonic()
     _, errors = process.communicate(timeout=30)
     assert time.monotonic() - began < 10
     assert process.returncode == (130 if number == signal.SIGINT else -number)
     if number == signal.SIGINT:
         assert "1 of 3 marks are kept; --resume goes on" in errors
+        assert "Traceback" not in errors
     assert [path.name[:2] for path in records.glob("[!.]*.json")] == ["a-"]
     wait_until(lambda: not running(str(scratch)))
     assert not list(scratch.iterdir())

@@ -85,7 +85,7 @@ def test_many_points_share_bars() -> None:
 @pytest.mark.slow
 def test_rows_are_sorted_and_filtered(browser: Browser, tmp_path: Path) -> None:
     browser.open(overview.write(tmp_path, graded()))
-    names = "return [...document.querySelectorAll('tbody tr:not([hidden]) summary')].map(s => s.textContent)"
+    names = "return [...document.querySelectorAll('tbody tr:not([hidden]) summary b')].map(s => s.textContent)"
     press = "[...document.querySelectorAll('thead button')].find(b => b.textContent === arguments[0]).click()"
     browser.js(press, "submission")
     assert browser.js(names) == [EVIL, "student 9", "student 10"]

@@ -20,7 +20,7 @@ function filter() {
 
 function value(row, column) {
   const cell = row.cells[column];
-  return cell.dataset.value === undefined ? cell.querySelector("summary").textContent : Number(cell.dataset.value);
+  return cell.dataset.value === undefined ? cell.querySelector("summary b").textContent : Number(cell.dataset.value);
 }
 
 function sort(column) {

@@ -16,7 +16,7 @@ from string import Template
 from PIL import Image
 
 from glsim.course.grading.record import Part, Record, Total
-from glsim.course.grading.tables import exercise_names
+from glsim.course.grading.tables import exercise_names, first_sentence
 from glsim.files import write_text
 from glsim.web import page as web
 
@@ -133,7 +133,8 @@ def _row(total: Total, names: Sequence[str]) -> str:
     details = "".join(_details(record) for record in total.records)
     share = total.points / total.most if total.most else 0.0
     return (
-        f'<tr data-state="{state}"><th scope="row"><details><summary>{escape(total.submission)}</summary>'
+        f'<tr data-state="{state}"><th scope="row"><details><summary><b>{escape(total.submission)}</b> '
+        f'<span class="note">{escape(first_sentence(total))}</span></summary>'
         f'{details}</details></th>{cells}<td class="total" data-value="{total.points}">'
         f'<span class="share" style="--share: {share:.3f}">{total.points} of {total.most}</span></td>'
         f'<td class="thumb">{thumbnail}</td></tr>'

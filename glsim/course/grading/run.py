@@ -8,6 +8,7 @@ import io
 import multiprocessing
 import os
 import shutil
+import signal
 import tempfile
 import threading
 import time
@@ -66,7 +67,7 @@ def grade(
             task = _task(submission, one, chosen, seconds)
             old = store.read(submission.slug, one.name) if store and resume else None
             if old is not None and old.key == task.blank.key and not old.failure:
-                yield replace(old, submission=submission.name, file=task.blank.file, note=task.blank.note)
+                yield old
             elif isinstance(chosen, str):
                 yield _kept(store, task.blank)
             else:
@@ -85,7 +86,8 @@ def _kept(store: Store | None, record: Record) -> Record:
 
 def _task(submission: Submission, one: Exercise, chosen: Chosen | str, seconds: float) -> Task:
     data = chosen.data if isinstance(chosen, Chosen) else b""
-    key = hashlib.sha256(f"{__version__} {seconds} {isinstance(chosen, str)} {_fingerprint(one)} ".encode() + data)
+    about = (chosen.place, chosen.note) if isinstance(chosen, Chosen) else (chosen,)
+    key = hashlib.sha256(repr((__version__, seconds, _fingerprint(one), about)).encode() + data)
     blank = Record(
         submission.name,
         submission.slug,
@@ -158,7 +160,10 @@ def _in_pool(tasks: Sequence[Task], jobs: int, failed: list[Task]) -> Iterator[R
 
 
 def _begin(scratch: str) -> None:
-    """Begin a process of the pool: its temporary files are removed by its parent, and it ends when its parent ends."""
+    """Begin a process of the pool: its temporary files are removed by its parent, and it ends when its parent ends.
+
+    Ctrl-C is the parent's; a terminal sends it to all processes."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     tempfile.tempdir = scratch
     parent = multiprocessing.parent_process()
     assert parent is not None

@@ -35,7 +35,7 @@ def table(totals: Sequence[Total]) -> Table:
     for total in totals:
         marks = {record.exercise: _points(record) for record in total.records}
         cells = [marks.get(name, "") for name in names]
-        sentence = Text(_first_sentence(total), overflow="ellipsis", no_wrap=True)
+        sentence = Text(first_sentence(total), overflow="ellipsis", no_wrap=True)
         grid.add_row(Text(total.submission), *cells, f"{total.points} of {total.most}", sentence)
     return grid
 
@@ -44,7 +44,7 @@ def _points(record: Record) -> str:
     return "failed" if record.failure else str(record.points)
 
 
-def _first_sentence(total: Total) -> str:
+def first_sentence(total: Total) -> str:
     """The first thing to say about a submission; that a file is missing comes after what is said about files."""
     sentences = [
         sentence
@@ -64,7 +64,7 @@ def write_csv(folder: Path, totals: Sequence[Total]) -> Path:
     for total in totals:
         marks = {record.exercise: "" if record.failure else record.points for record in total.records}
         points = [marks.get(name, "") for name in names]
-        rows.writerow([_cell(total.submission), *points, total.points, total.most, _cell(_first_sentence(total))])
+        rows.writerow([_cell(total.submission), *points, total.points, total.most, _cell(first_sentence(total))])
     path = folder / "marks.csv"
     write_text(path, text.getvalue())
     return path
