@@ -21,7 +21,7 @@ from glsim.gl import *
 
 
 def square(cuts=1, lamp=0.0):
-    """A square cut into cuts x cuts smaller ones, and a lamp in front of it at x = lamp."""
+    """A square of cuts x cuts small ones, and a lamp in front of it at x = lamp."""
     glClearColor(0.1, 0.11, 0.14, 1)
     glClear(GL_COLOR_BUFFER_BIT)
     glEnable(GL_LIGHTING)
@@ -62,7 +62,7 @@ screen
 # %%
 glsim.source(
     "shaders/main.vert",
-    "shade(track(material.front, own_color, FRONT_TRACKS), N, eye_position, front_color",
+    "shade(track(material.front, own_color, FRONT_TRACKS), N,",
 )
 
 # %% The square cut finer: Gouraud above, the equation at every pixel (Phong shading) below. Keys 1 to 5 swap
