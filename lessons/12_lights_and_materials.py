@@ -21,7 +21,7 @@ from glsim.gl import *
 from glsim.glut import glutSolidSphere
 
 screen = glsim.offscreen(720, 480, samples=4)
-glClearColor(0.13, 0.14, 0.17, 1)
+glClearColor(0.3, 0.31, 0.34, 1)
 glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
 glEnable(GL_DEPTH_TEST)
 glEnable(GL_LIGHTING)
@@ -84,6 +84,7 @@ glsim.compare(
     sweep={"material": ["brass", "red-plastic", "emerald", "black-rubber"]},
     columns="material",
     differences="off",
+    camera="20,22,3.6",
     size=260,
     samples=4,
 )
