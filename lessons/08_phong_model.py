@@ -111,7 +111,7 @@ glsim.compare(
 # The middle of the highlight, where $\mathbf{R} = \mathbf{V}$, is equally bright in all four: $1^n = 1$. Only its width
 # changes.
 
-# %% The vectors at a pixel beside the highlight: R misses V by the angle phi
+# %% The vectors at a pixel below the highlight: R misses V by phi = 39 degrees, and 0.78 to the power of 30 is 0.0005
 glsim.vectors(scene, 165, 265)
 
 # %% [markdown]
@@ -126,7 +126,7 @@ glsim.vectors(scene, 165, 265)
 #
 # 1. Set `GL_SPECULAR` to `[0.8, 0.5, 0.1, 1]`. Does it still look like plastic, or more like metal?
 # 2. Set `eye` 90 degrees to the right, `scene(90)`. How much of the highlight is left?
-# 3. Move the lamp behind the ball, `[-1, 0, -5, 1]`. Is there a highlight at the rim?
+# 3. Move the lamp behind the ball, `[-1, 0, -5, 1]`. Look for a highlight at the rim: in which of the pictures?
 #
 # ## Questions
 #

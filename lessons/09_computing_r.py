@@ -125,7 +125,7 @@ glsim.vectors(teapot, 200, 290)
 # ## Try this
 #
 # 1. `plots.computing_r(35)` with 10 and 80 degrees: which of the two parts is large where?
-# 2. Compute `shading.reflection(N, R)`. Why is it `L` again?
+# 2. Compute `shading.reflection(N, shading.reflection(N, L))`. Why is it `L` again?
 # 3. Mirror a light from behind the surface, `L = [0.6, 0, -0.8]`. Where does R point, and why does OpenGL not care?
 #
 # ## Questions

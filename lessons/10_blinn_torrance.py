@@ -74,7 +74,7 @@ glsim.compare(
 # %%
 glsim.source("shaders/specular.glsl", "vec3 H = normalize(L + V);", lines=2)
 
-# %% Only the highlight of a ball: right; with the slide's (H.V)^20; with N.(L + V), not normalised
+# %% Only the highlight of a ball: the correct (N.H)^20; the slide's (H.V)^20; with N.(L + V), not normalised
 import numpy as np
 from PIL import Image
 
@@ -178,8 +178,8 @@ screen
 # %% [markdown]
 # ## Try this
 #
-# 1. Set the shininess of the street to 15 and 200: which lobe keeps its shape?
-# 2. Lift the eye, `gluLookAt(0, 8, ...)`: how does Blinn's highlight change its shape?
+# 1. Set the shininess of the street to 15, then to 128: which lobe keeps its shape?
+# 2. Lift the eye a little, `gluLookAt(0, 2, ...)`: how does Blinn's highlight change its shape?
 # 3. Turn the first wall of the last figure by `glRotatef(8, -1, 1, 0)`, so that it faces $\mathbf{H}$. Is it still even?
 #
 # ## Questions

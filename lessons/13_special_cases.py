@@ -147,7 +147,7 @@ screen
 # ## Try this
 #
 # 1. In the last figure give each light the intensity 2. Where is it clamped first?
-# 2. Clamp each light's term to 1 *before* adding, in NumPy: for which materials is the result different?
+# 2. In the NumPy cell clamp each lamp's term to 1 *before* adding, too. Why can the final picture never differ?
 # 3. Put the lamp behind the bowl, `[0, 0, -1, 0]`. In which of the three pictures is the inside lit all the same?
 #
 # ## Questions
