@@ -73,9 +73,8 @@ glsim.compare(
 # %% [markdown]
 # ## Which vertex provokes?
 #
-# Here the same six points, numbered by brightness from dark (1) to light (6), make triangles, a strip, a fan, and a
-# polygon. Each primitive has its own rule: the last vertex of a triangle, of a quad too, but the *first* of a
-# `GL_POLYGON`.
+# Six vertices, sent in the order from dark (1) to light (6), make triangles, a strip, a fan, and a polygon. Each
+# primitive has its own rule: the last vertex of a triangle, of a quad too, but the *first* of a `GL_POLYGON`.
 
 # %% Six vertices from dark to light as GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN and GL_POLYGON, flat
 from math import cos, sin, tau

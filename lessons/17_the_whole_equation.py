@@ -70,7 +70,7 @@ probe
 
 # %% [markdown]
 # $\mathbf{N}$, $\mathbf{L}_i$ and $\mathbf{H}_i$, halfway between $\mathbf{L}_i$ and $\mathbf{V}$, are unit vectors. Where
-# $\mathbf{N} \cdot \mathbf{L}_i \le 0$ the specular term is 0 too. The four lines of GLSL that add up one light:
+# $\mathbf{N} \cdot \mathbf{L}_i \le 0$ the specular term is 0 too. The lines of GLSL that add up one light:
 
 # %%
 glsim.source(
@@ -131,9 +131,9 @@ glsim.compare(
 # That is the whole shading model of the lecture: **what** (the sum of terms, channel by channel) and **where** (per
 # polygon, per vertex, per pixel).
 #
-# > **The slide says**, in the summary as on the slide of the ambient glow, $I_L\, k_a \cos\theta$ for the diffuse term. It
-# > is $k_d$ that belongs there. And it writes the three terms without the sum over the lights, without $\max(\cdot, 0)$ and
-# > without the clamp at the end: all three are needed to get a pixel right.
+# > **The slide says** on the ambient glow $I_L\, k_a \cos\theta$ for the diffuse term. It is $k_d$ that belongs there; if
+# > your copy of the summary has a $k_a$ in that place too, mend it. And the summary writes the three terms without the sum
+# > over the lights, without $\max(\cdot, 0)$ and without the clamp at the end: all three are needed to get a pixel right.
 #
 # ## Try this
 #
