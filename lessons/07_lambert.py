@@ -82,7 +82,7 @@ glsim.plots.lambert()
 # %% [markdown]
 # ## On a ball
 #
-# A ball has every normal, so it shows the whole curve at once.
+# A ball has every normal, so it shows the whole curve at once: bright where $N$ points along $L$, black from 90° on.
 
 # %% N and L at one point of a ball, with the angle between them
 from glsim.glut import glutSolidSphere
@@ -96,7 +96,12 @@ def ball():
     glShadeModel(GL_PHONG_WIN)
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, [0, 0, 0, 1])
     glMaterialfv(GL_FRONT, GL_DIFFUSE, [0.9, 0.9, 0.85, 1])
-    glLightfv(GL_LIGHT0, GL_POSITION, [-1, 1, 0.6, 0])
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glOrtho(-1, 1, -1, 1, -1, 1)  # else z would grow away from the eye
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glLightfv(GL_LIGHT0, GL_POSITION, [-1, 1, 1.2, 0])
     glutSolidSphere(0.8, 60, 60)
 
 
