@@ -198,7 +198,10 @@ def lit(light, azimuth):
 
 glsim.compare(
     lit,
-    sweep={"azimuth": [0, -45, -90], "light": ["before gluLookAt", "after gluLookAt"]},
+    sweep={
+        "azimuth": [0, -45, -90],
+        "light": ["before gluLookAt", "after gluLookAt"],
+    },
     size=270,
     samples=4,
     differences="off",

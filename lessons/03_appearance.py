@@ -117,7 +117,7 @@ glsim.compare(
 
 # %% The same three finishes as lobes: how much leaves in which direction
 glsim.plots.lobes(
-    {name: glsim.plots.blinn_term(0.45, k_s, n) for name, (k_s, n) in FINISH.items()}
+    {name: glsim.plots.blinn_term(0.45, *finish) for name, finish in FINISH.items()}
 )
 
 # %% [markdown]

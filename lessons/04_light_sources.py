@@ -173,10 +173,10 @@ glsim.plots.spot()
 # %% [markdown]
 # ## Try this
 #
-# 1. Make the red light in `COLORS` twice as strong: `[2, 0, 0, 1]`. Does the middle change? And is the sum of the
-#    pictures still the picture of the sum?
+# 1. Make the red light in `COLORS` orange: `[1, 0.6, 0, 1]`. Now the sum of the pictures is no longer the picture of
+#    the sum. Where not, and in which channel?
 # 2. In `balls`, set `GL_SPOT_CUTOFF` to 30. Which balls are still lit?
-# 3. Set the position of the point light to `[0, 200, 0, 1]`. Which of the three pictures does it look like now?
+# 3. Set the position of the point light, which the spot shares, to `[0, 200, 0, 1]`. Which of the three pictures does it look like now?
 
 # %% [markdown]
 # ## Questions

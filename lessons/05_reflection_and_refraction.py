@@ -79,9 +79,7 @@ glClearColor(0.02, 0.02, 0.03, 1)
 glClear(GL_COLOR_BUFFER_BIT)
 for column, n in enumerate((1.333, 1.5, 2.417)):
     glViewport(260 * column, 0, 260, 260)
-    for k in range(
-        60
-    ):  # rings: at the radius r the normal leans so that N.V is sqrt(1 - r r)
+    for k in range(60):  # rings; at the radius r N.V is sqrt(1 - r r)
         glBegin(GL_QUAD_STRIP)
         for j in range(91):
             for r in (k / 60, (k + 1) / 60):

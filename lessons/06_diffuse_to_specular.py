@@ -36,9 +36,9 @@ def ball():
         glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, [*color, 1])
         glBegin(GL_QUAD_STRIP)
         for latitude in range(90, -91, -5):
-            for corner in (point(longitude, latitude), point(longitude + 5, latitude)):
-                glNormal3f(*corner)
-                glVertex3f(*corner)
+            for edge in (longitude, longitude + 5):
+                glNormal3f(*point(edge, latitude))
+                glVertex3f(*point(edge, latitude))
         glEnd()
 
 
