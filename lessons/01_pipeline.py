@@ -100,7 +100,7 @@ glsim.compare(
 glsim.source("shaders/main.vert", "vec4 E = transform.modelview * P;", lines=2)
 
 # %%
-glsim.source("shaders/main.vert", "gl_Position = C;")
+glsim.source("shaders/main.vert", "vec4 C = transform.modelview_projection * P;")
 
 # %% [markdown]
 # The division and the viewport are not in the shader: the hardware does them.
