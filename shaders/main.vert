@@ -46,9 +46,10 @@ void main()
     if (DEPTH_OFFSET) C.z += 2.0 * depth_offset * C.w;
     if (WIDE_LINES || LINE_STIPPLE) C = line_vertex(transform, P, C);
     if (POINTS) C = point_vertex(E, C);
-    gl_Position = C;
+    float w = AFFINE ? C.w : 1.0;                               // divided by w here, all is equally far from the eye,
+    gl_Position = C / w;                                        // and values are interpolated linearly on the screen
 #if CLIPPING
-    clip(E);
+    clip(E / w);
 #endif
     if (FOG != FOG_OFF) fog_distance = FOG_COORDINATE ? fog_coord : abs(E.z);
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from glsim.cli.options import check_picture_name, console, count, positive, size
+from glsim.cli.options import camera, check_picture_name, console, count, positive, size
 from glsim.files import check_folder, write_atomically, write_text
 
 if TYPE_CHECKING:
@@ -61,6 +61,8 @@ def _add_picture(p: Any) -> None:
     p.add_argument("--size", type=size, default=512, metavar="N", help="pixels of a picture (default: %(default)s)")
     p.add_argument("--views", type=_views, default=[0], metavar="N,...|all",
                    help="which cameras; of several, pictures get the number in their names (default: 0)")  # fmt: skip
+    p.add_argument("--camera", type=camera, metavar="AZIMUTH,ELEVATION[,DISTANCE]",
+                   help="instead: around the scene, in degrees from its front, and radii (distance: 4)")  # fmt: skip
     p.add_argument("--direct", metavar="FILE", help="a picture of direct illumination and radiosity side by side")
     p.add_argument(
         "--white", type=positive, metavar="B", help="the radiosity that becomes white (default: by the scene)"
@@ -157,7 +159,9 @@ def _solved(options: argparse.Namespace) -> Radiosity:
 
 def _written(result: Radiosity, options: argparse.Namespace) -> list[str]:
     """Write all that was asked for, and return the names of the files."""
-    views = list(range(len(result.patches.scene.views))) if options.views is None else options.views
+    views: list[Any] = list(range(len(result.patches.scene.views))) if options.views is None else options.views
+    if options.camera is not None:
+        views = [options.camera]
     for view in views:
         result.view(view)  # before anything is written
     names = []
@@ -171,7 +175,7 @@ def _written(result: Radiosity, options: argparse.Namespace) -> list[str]:
     return names
 
 
-def _numbered(name: str, view: int, views: list[int]) -> str:
+def _numbered(name: str, view: Any, views: list[Any]) -> str:
     """Return a file's name, with the camera's number if it is a picture and there are several."""
     path = Path(name)
     numbered = len(views) > 1 and path.suffix.lower() not in DATA

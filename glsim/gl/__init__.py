@@ -13,6 +13,9 @@ Extensions (glGetString(GL_EXTENSIONS) names them):
 - GL_GLSIM_back_lighting: ``glLightModeli(GL_LIGHT_MODEL_BACK_LIGHTING_GLSIM, policy)`` says what happens where
   N.L < 0: GL_CLAMP_NORMAL_GLSIM (no light) or GL_FLIP_NORMAL_GLSIM (N becomes -N).  Two-sided lighting is separate:
   GL_LIGHT_MODEL_TWO_SIDE.
+- GL_GLSIM_affine_interpolation: ``glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_AFFINE_GLSIM)`` interpolates colours,
+  normals, texture coordinates and fog linearly on the screen, without regard to the distance; GL_FASTEST, GL_NICEST and
+  GL_DONT_CARE all mean the correct, hyperbolic interpolation.
 """
 
 from __future__ import annotations

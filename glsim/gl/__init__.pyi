@@ -30,6 +30,7 @@ __all__ = [
     "GL_ACTIVE_TEXTURE",
     "GL_ADD",
     "GL_ADD_SIGNED",
+    "GL_AFFINE_GLSIM",
     "GL_ALIASED_LINE_WIDTH_RANGE",
     "GL_ALIASED_POINT_SIZE_RANGE",
     "GL_ALL_ATTRIB_BITS",
@@ -1443,6 +1444,7 @@ GL_ACCUM_RED_BITS: Enum
 GL_ACTIVE_TEXTURE: Enum
 GL_ADD: Enum
 GL_ADD_SIGNED: Enum
+GL_AFFINE_GLSIM: Enum
 GL_ALIASED_LINE_WIDTH_RANGE: Enum
 GL_ALIASED_POINT_SIZE_RANGE: Enum
 GL_ALL_ATTRIB_BITS: Enum
@@ -3674,10 +3676,11 @@ def glGetTexParameteriv(target: int, pname: int, params: Any = ...) -> Any:
     Whole numbers; in colours -2147483648 to 2147483647 stand for -1 to 1."""
 
 def glHint(target: int, hint: int) -> None:
-    """Says whether speed or quality matters more.  Accepted without effect: there is one way to draw everything.
+    """Says whether speed or quality matters more.  Without effect, but for GL_AFFINE_GLSIM: there is one way to draw everything.
 
     target: GL_PERSPECTIVE_CORRECTION_HINT, GL_LINE_SMOOTH_HINT, GL_FOG_HINT, ...
-    hint: GL_FASTEST, GL_NICEST or GL_DONT_CARE"""
+    hint: GL_FASTEST, GL_NICEST or GL_DONT_CARE; of GL_PERSPECTIVE_CORRECTION_HINT also GL_AFFINE_GLSIM, an extension:
+        colours, normals, texture coordinates and fog are interpolated linearly on the screen, which is wrong in perspective"""
 
 def glIndex(*arguments: Any) -> Any:
     """Sets the current colour index.  Accepted without effect: every context is RGBA.

@@ -197,20 +197,23 @@ def glIndexMask(m: Machine, mask: int) -> None:
 
 # ---------------------------------------------------------------- hints, flush
 
-HINTS = {
-    gl.GL_PERSPECTIVE_CORRECTION_HINT, gl.GL_POINT_SMOOTH_HINT, gl.GL_LINE_SMOOTH_HINT, gl.GL_POLYGON_SMOOTH_HINT,
-    gl.GL_FOG_HINT,
-    gl.GL_GENERATE_MIPMAP_HINT, gl.GL_TEXTURE_COMPRESSION_HINT, gl.GL_PHONG_HINT_WIN,
+HINTS: dict[int, str] = {  # target -> its field in the group of hints
+    gl.GL_PERSPECTIVE_CORRECTION_HINT: "perspective_correction", gl.GL_POINT_SMOOTH_HINT: "point_smooth",
+    gl.GL_LINE_SMOOTH_HINT: "line_smooth", gl.GL_POLYGON_SMOOTH_HINT: "polygon_smooth", gl.GL_FOG_HINT: "fog",
+    gl.GL_GENERATE_MIPMAP_HINT: "generate_mipmap", gl.GL_TEXTURE_COMPRESSION_HINT: "texture_compression",
+    gl.GL_PHONG_HINT_WIN: "phong",
 }  # fmt: skip
 
 
 def glHint(m: Machine, target: int, hint: int) -> None:
-    """Accepted; it has no effect."""
+    """Only GL_AFFINE_GLSIM has an effect: values are then interpolated linearly on the screen."""
     if target not in HINTS:
         raise invalid_enum("target", target, "a hint such as GL_PERSPECTIVE_CORRECTION_HINT")
-    if hint not in (gl.GL_FASTEST, gl.GL_NICEST, gl.GL_DONT_CARE):
-        raise invalid_enum("hint", hint, "GL_FASTEST, GL_NICEST or GL_DONT_CARE")
-    m.hints = {**m.hints, target: hint}
+    affine = target == gl.GL_PERSPECTIVE_CORRECTION_HINT and hint == gl.GL_AFFINE_GLSIM
+    if hint not in (gl.GL_FASTEST, gl.GL_NICEST, gl.GL_DONT_CARE) and not affine:
+        also = "; GL_AFFINE_GLSIM is for GL_PERSPECTIVE_CORRECTION_HINT" if hint == gl.GL_AFFINE_GLSIM else ""
+        raise invalid_enum("hint", hint, f"GL_FASTEST, GL_NICEST or GL_DONT_CARE{also}")
+    m.hints = m.hints._replace(**{HINTS[target]: hint})
 
 
 def glFlush(m: Machine) -> None:

@@ -106,7 +106,7 @@ INDEX_MODE = "accepted without effect: colour-index mode is not emulated, every 
 NO_FORMAT = "refused with GL_INVALID_ENUM: OpenGL 1.5 names no compressed format, and glsim offers none"
 REMARKS = {
     "glGetStringi": "supported, though of OpenGL 3.0: programs ask for the extensions one by one",
-    "glHint": "accepted without effect: there is one way to draw everything",
+    "glHint": "accepted without effect, but for GL_AFFINE_GLSIM: there is one way to draw everything",
     "glPrioritizeTextures": "accepted without effect: every texture is resident",
     "glIndex": INDEX_MODE, "glIndexPointer": INDEX_MODE, "glIndexMask": INDEX_MODE, "glClearIndex": INDEX_MODE,
     **{f"glCompressedTex{part}Image{d}D": NO_FORMAT for part in ("", "Sub") for d in (1, 2, 3)},

@@ -242,7 +242,7 @@ def _lookup(m: Machine, pname: int) -> Any:
     if pname - GL_MAP_SIZES in range(len(SIZED_MAPS)):
         return len(m.pixel.map(SIZED_MAPS[pname - GL_MAP_SIZES]))
     if pname in HINTS:
-        return m.hints.get(pname, gl.GL_DONT_CARE)
+        return getattr(m.hints, HINTS[pname])
     raise invalid_enum("pname", pname, "a state variable such as GL_VIEWPORT")
 
 
@@ -315,9 +315,10 @@ def glGetError(m: Machine) -> int:
 
 # glsim's own, and those that became part of OpenGL 1.1 to 1.5
 EXTENSIONS: bytes = (
-    b"GL_WIN_phong_shading GL_GLSIM_specular_lobe GL_GLSIM_back_lighting GL_ARB_depth_texture "
-    b"GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_point_parameters GL_ARB_shadow GL_ARB_texture_border_clamp "
-    b"GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar "
+    b"GL_WIN_phong_shading GL_GLSIM_specular_lobe GL_GLSIM_back_lighting GL_GLSIM_affine_interpolation "
+    b"GL_ARB_depth_texture GL_ARB_multitexture GL_ARB_occlusion_query GL_ARB_point_parameters GL_ARB_shadow "
+    b"GL_ARB_texture_border_clamp GL_ARB_texture_cube_map GL_ARB_texture_env_add GL_ARB_texture_env_combine "
+    b"GL_ARB_texture_env_crossbar "
     b"GL_ARB_texture_env_dot3 GL_ARB_texture_mirrored_repeat GL_ARB_transpose_matrix GL_ARB_vertex_buffer_object "
     b"GL_ARB_window_pos GL_EXT_bgra GL_EXT_blend_color GL_EXT_blend_func_separate GL_EXT_blend_minmax "
     b"GL_EXT_blend_subtract GL_EXT_draw_range_elements GL_EXT_fog_coord GL_EXT_multi_draw_arrays GL_EXT_packed_pixels "

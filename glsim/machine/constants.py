@@ -826,3 +826,6 @@ GL_PHONG_LOBE_GLSIM = Enum("GL_PHONG_LOBE_GLSIM", 0x6C512)  # (R.V)^n: what the 
 GL_LIGHT_MODEL_BACK_LIGHTING_GLSIM = Enum("GL_LIGHT_MODEL_BACK_LIGHTING_GLSIM", 0x6C520)
 GL_CLAMP_NORMAL_GLSIM = Enum("GL_CLAMP_NORMAL_GLSIM", 0x6C521)  # the light adds nothing but its ambient term
 GL_FLIP_NORMAL_GLSIM = Enum("GL_FLIP_NORMAL_GLSIM", 0x6C522)  # N becomes -N for that light
+
+# GL_GLSIM_affine_interpolation: glHint(GL_PERSPECTIVE_CORRECTION_HINT, ...)
+GL_AFFINE_GLSIM = Enum("GL_AFFINE_GLSIM", 0x6C530)  # linear on the screen, as if nothing were farther away

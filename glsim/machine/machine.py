@@ -30,6 +30,7 @@ from glsim.machine.state import (
     Depth,
     Evaluators,
     Fog,
+    Hints,
     Lighting,
     Line,
     Material,
@@ -84,9 +85,9 @@ class Machine:
         # interception: see interception.py
         "recorder", "busy", "outlet",
         # groups of state (state.py): those of a Snapshot, and those that no Draw needs
-        "color_buffer", "depth", "fog", "lighting", "line", "multisample", "point", "polygon", "polygon_stipple",
-        "scissor", "stencil", "texture", "transform", "viewport",
-        "accum_clear", "evaluators", "hints", "list_base", "material", "pixel", "raster",
+        "color_buffer", "depth", "fog", "hints", "lighting", "line", "multisample", "point", "polygon",
+        "polygon_stipple", "scissor", "stencil", "texture", "transform", "viewport",
+        "accum_clear", "evaluators", "list_base", "material", "pixel", "raster",
         # what glPushAttrib and glPushClientAttrib saved
         "attrib_stack", "client_attrib_stack",
         # by topic: see holdings.py
@@ -158,9 +159,9 @@ class Machine:
         self.color_buffer = ColorBuffer()
         self.scissor = Scissor(False, 0, 0, width, height)
         self.multisample = Multisample()
+        self.hints = Hints()
         self.latest = Snapshot._make(take_groups(self))
         self.material = Material()
-        self.hints: dict[int, int] = {}
         self.raster = RasterPosition()
         self.pixel = PixelMode()
         self.accum_clear: Color = (0.0, 0.0, 0.0, 0.0)

@@ -327,6 +327,19 @@ class Evaluators(NamedTuple):
     grid_2: tuple[int, float, float, int, float, float] = (1, 0.0, 1.0, 1, 0.0, 1.0)
 
 
+class Hints(NamedTuple):
+    """Group GL_HINT_BIT.  Only GL_AFFINE_GLSIM for perspective_correction changes what is drawn."""
+
+    perspective_correction: int = gl.GL_DONT_CARE
+    point_smooth: int = gl.GL_DONT_CARE
+    line_smooth: int = gl.GL_DONT_CARE
+    polygon_smooth: int = gl.GL_DONT_CARE
+    fog: int = gl.GL_DONT_CARE
+    generate_mipmap: int = gl.GL_DONT_CARE
+    texture_compression: int = gl.GL_DONT_CARE
+    phong: int = gl.GL_DONT_CARE
+
+
 class Snapshot(NamedTuple):
     """The groups of state that a Draw or a Clear needs, with the values at the time of its call."""
 
@@ -344,6 +357,7 @@ class Snapshot(NamedTuple):
     color_buffer: ColorBuffer
     scissor: Scissor
     multisample: Multisample
+    hints: Hints
 
 
 take_groups: Callable[[object], tuple[object, ...]] = attrgetter(*Snapshot._fields)

@@ -47,8 +47,37 @@ def convergence(series: dict[str, Sequence[SolverStep]], size: tuple[int, int] =
 
 
 def matrix(F: NDArray[np.float64], size: int = 640) -> Image.Image:
-    """Draw form factors (n, n) as brightness, logarithmically over four decades, row 0 on top."""
+    """Draw form factors (n, n) as brightness, logarithmically over four decades, row 0 on top.
+
+    size: pixels of the matrix; the numbers of its rows and columns and the scale of brightness stand beside it.
+    """
     largest = float(F.max()) or 1.0
     shades = 1.0 + np.log10(np.maximum(F / largest, 1e-4)) / 4.0
     image = Image.fromarray(np.asarray(shades * 255.0, np.uint8))
-    return image.resize((size, size), Image.Resampling.NEAREST if len(F) < size else Image.Resampling.BOX)
+    cells = image.resize((size, size), Image.Resampling.NEAREST if len(F) < size else Image.Resampling.BOX)
+    left, top, bar = 64, 52, 16
+    sheet = Image.new("RGB", (left + size + 3 * bar + 60, top + size + 20), PAPER)
+    sheet.paste(cells, (left, top))
+    pen, font = ImageDraw.Draw(sheet), ImageFont.load_default(13)
+    for k in range(0, len(F), _step(len(F))):
+        middle = (k + 0.5) * size / len(F)
+        pen.text((left - 6, top + middle), str(k), INK, font, anchor="rm")
+        pen.text((left + middle, top - 5), str(k), INK, font, anchor="ms")
+    pen.text((left + size / 2, 14), "patch j, which receives", INK, font, anchor="mm")
+    name = Image.new("RGB", (200, 18), PAPER)
+    ImageDraw.Draw(name).text((100, 9), "patch i, which sends", INK, font, anchor="mm")
+    sheet.paste(name.rotate(90, expand=True), (4, top + size // 2 - 100))
+    x = left + size + bar
+    scale = np.repeat(np.linspace(255, 0, size)[:, None], bar, axis=1).astype(np.uint8)
+    sheet.paste(Image.fromarray(scale), (x, top))
+    pen.rectangle((x - 1, top - 1, x + bar, top + size), outline=INK)
+    pen.text((x + bar / 2, top - 5), "F", INK, font, anchor="ms")
+    for decade in range(5):
+        text = f"{largest * 10.0**-decade:.2g}"
+        pen.text((x + bar + 6, top + decade * (size - 1) / 4), text, INK, font, anchor="lm")
+    return sheet
+
+
+def _step(n: int) -> int:
+    """The distance of the numbers that are written at n rows: 1, 2 or 5 times a power of ten, at most 12 of them."""
+    return int(next(k * 10**power for power in range(9) for k in (1, 2, 5) if n <= 12 * k * 10**power))

@@ -18,14 +18,16 @@ from glsim.radiosity.factors import Factors
 from glsim.radiosity.gather import radiosity_at
 from glsim.radiosity.mesh import PatchMesh
 from glsim.radiosity.patches import Patches
-from glsim.radiosity.scene import SceneError, View, view_of
+from glsim.radiosity.scene import SceneError, View, view_around, view_of
 from glsim.radiosity.solvers import SOLVERS, SolverStep, System, shooting
 from glsim.radiosity.tone import GAMMA, automatic_white, toned
+from glsim.scenes import Camera
 
 if TYPE_CHECKING:
     from PIL import Image
 
 Float = NDArray[np.float64]
+Viewpoint = int | View | Camera  # a camera of the scene by its number, any, or one around the scene
 OPEN = 5e-3  # share of the light that escapes: above it the scene is open, below it form factors are inexact
 BLIND = 1e-3  # a patch whose row of form factors has a smaller sum sees nothing
 
@@ -89,16 +91,21 @@ class Radiosity:
         return self.white or automatic_white(self.patches, self.B)
 
     def picture(
-        self, size: int = 512, view: int | View = 0, *, colors: Float | None = None, samples: int = 4
-    ) -> Image.Image:
-        """Draw the scene from one of its cameras, ``size`` pixels wide and high.
+        self, size: int = 512, view: Viewpoint = 0, *, camera: Camera | None = None, colors: Float | None = None,
+        samples: int = 4,
+    ) -> Image.Image:  # fmt: skip
+        """Draw the scene, ``size`` pixels wide and high.
 
-        colors: (V, 3) of the vertices, instead of those of the radiosity.
+        view: the number of one of its cameras, or a View.  camera: one around the scene instead, as
+        ``Camera(azimuth, elevation, distance)`` of glsim.scenes; see scene.view_around.  colors: (V, 3) of the
+        vertices, instead of those of the radiosity.
+
+            radiosity.solve("cornell", 300).picture(camera=Camera(30, 25, 3)).save("from-the-right.png")
         """
         from glsim.radiosity.view import picture_of
 
         shown = self.colors() if colors is None else colors
-        return picture_of(self.mesh, shown, self.patches.scene, self.view(view), size, samples)
+        return picture_of(self.mesh, shown, self.patches.scene, self.view(camera or view), size, samples)
 
     def direct(self) -> Float:
         """Return the radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
@@ -112,14 +119,14 @@ class Radiosity:
     def iterations(self, solver: str = "gauss-seidel", many: int | None = None) -> Iterator[SolverStep]:
         """Solve the system again, and yield a SolverStep with its B (n, 3) after each iteration, without an end.
 
-        solver: "jacobi", "gauss-seidel", "shooting", ...  many: shots in a step of "shooting", by default a twentieth of
-        the patches.  Raises SceneError for an unknown solver."""
+        solver: "jacobi", "gauss-seidel", "shooting", ...  many: shots in a step of "shooting", by default a twentieth
+        of the patches.  Raises SceneError for an unknown solver."""
         if solver not in SOLVERS:
             raise SceneError(f"the solvers are {', '.join(SOLVERS)}, not {solver!r}")
         system = System.of(self.factors)
         return shooting(system, many=many) if solver == "shooting" else SOLVERS[solver](system)
 
-    def beside_direct(self, size: int = 512, view: int | View = 0) -> Image.Image:
+    def beside_direct(self, size: int = 512, view: Viewpoint = 0) -> Image.Image:
         """Draw direct illumination and radiosity from the same camera, side by side, with the same white."""
         from glsim.pictures import tiles
 
@@ -127,17 +134,19 @@ class Radiosity:
         row = [(name, np.asarray(self.picture(size, view, colors=self.colors(B)))) for name, B in both]
         return tiles(self.patches.scene.name, [row], size)
 
-    def view(self, which: int | View) -> View:
-        """Return a camera of the scene by its number.  Raises SceneError for one that is not there."""
+    def view(self, which: Viewpoint) -> View:
+        """Return a camera of the scene by its number, or one around it.  Raises SceneError if it is not there."""
         if isinstance(which, View):
             return which
+        if isinstance(which, Camera):
+            return view_around(self.patches.scene, which)
         views = self.patches.scene.views or (view_of(np.concatenate(self.patches.scene.polygons)),)
         if not 0 <= which < len(views):
             many = "1 view" if len(views) == 1 else f"{len(views)} views"
             raise SceneError(f"{self.patches.scene.name} has {many}, numbered from 0; there is no {which}")
         return views[which]
 
-    def row_picture(self, patch: int, size: int = 512, view: int | View = 0) -> Image.Image:
+    def row_picture(self, patch: int, size: int = 512, view: Viewpoint = 0) -> Image.Image:
         """Draw row ``patch`` of the form factors on the scene: how much of its light arrives, per unit of area.
 
         The patch itself is orange; the brightest 5 % of the vertices are white.  Raises SceneError if there is no such
@@ -190,7 +199,7 @@ class Radiosity:
 
     # ------------------------------------------------------------ files
 
-    def save(self, path: str | os.PathLike[str], *, size: int = 512, view: int = 0) -> None:
+    def save(self, path: str | os.PathLike[str], *, size: int = 512, view: Viewpoint = 0) -> None:
         """Write .png (or another picture), .glb or .ply with vertex colours, or .npz with everything.
 
         Raises SceneError for another ending.

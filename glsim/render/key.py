@@ -55,6 +55,7 @@ class ProgramKey(NamedTuple):
     """Everything that chooses code.  Fields that do not matter under the present state keep their defaults."""
 
     flat: bool = False
+    affine: bool = False  # values are interpolated linearly on the screen
     per_fragment: bool = False
     lighting: bool = False
     lights: tuple[LightKind, ...] = ()
@@ -137,7 +138,10 @@ def program_key(state: Snapshot, corners: int = 3) -> ProgramKey:
     if state.texture.in_use:
         kinds = (unit_kind(k, unit) for k, unit in enumerate(state.texture.units))
         common = common._replace(units=tuple(kind for kind in kinds if kind is not None))
-    return _lit(common, state) if state.lighting.enabled else common
+    key = _lit(common, state) if state.lighting.enabled else common
+    if state.hints.perspective_correction == gl.GL_AFFINE_GLSIM and corners > 1:
+        key = key._replace(affine=not key.flat or bool(key.units) or key.fog != 0)  # whether anything is interpolated
+    return key
 
 
 @lru_cache(maxsize=256)

@@ -18,7 +18,7 @@ from glsim.machine.assembly import corners, counterclockwise, outlines
 from glsim.machine.clipping import BOUNDARY, INTERIOR, INTRODUCED, VIEW_PLANES, clipped, distances, edge_kinds
 from glsim.machine.frame import Draw, Vertices
 from glsim.machine.stage import vertex_stage
-from glsim.machine.state import Lighting, Material, Snapshot
+from glsim.machine.state import Hints, Lighting, Material, Snapshot
 from glsim.render.lines import clip_positions, eye_and_clip, lines, positions, widened
 
 Float = NDArray[np.float32]
@@ -31,7 +31,9 @@ def prepare(draws: Iterable[Draw]) -> Iterator[Draw]:
         yield from draws
         return
     for (need, _, _), group in groupby(draws, key=lambda draw: (_need(draw), id(draw.vertices), draw.state)):
-        if need == "unfilled":
+        if need == "hyperbolic":
+            yield from prepare(draw.with_state(draw.state._replace(hints=Hints())) for draw in group)
+        elif need == "unfilled":
             yield from prepare(part for draw in group for part in unfilled(draw))
         elif need == "lines":
             yield from lines(list(group))
@@ -39,10 +41,20 @@ def prepare(draws: Iterable[Draw]) -> Iterator[Draw]:
             yield from group
 
 
+def _behind_the_eye(draw: Draw) -> bool:
+    """Whether a vertex has no place on the screen, so that nothing can be linear between it and others there."""
+    count = draw.count if draw.indices is None else len(draw.indices)
+    numbers = np.arange(count, dtype=np.uint32) if draw.indices is None else draw.indices
+    return bool((clip_positions(draw, numbers + np.uint32(draw.first))[:, 3] <= 0.0).any())
+
+
 def _need(draw: Draw) -> str:
-    """Why the core profile cannot draw it: its polygons are "unfilled", its "lines" are wide; "" if it can."""
+    """Why it cannot be drawn as it is: its polygons are "unfilled", its "lines" are wide, or affine interpolation is
+    asked for where only a "hyperbolic" one is possible; "" if it can."""
     kind = corners(draw.mode)
     state = draw.state
+    if state.hints.perspective_correction == gl.GL_AFFINE_GLSIM and _behind_the_eye(draw):
+        return "hyperbolic"
     if kind == 3 and (state.polygon.front_mode != gl.GL_FILL or state.polygon.back_mode != gl.GL_FILL):
         return "unfilled"
     if kind == 2 and (state.line.stipple or widened(state)) and "line_corner" not in draw.block.columns:

@@ -42,7 +42,7 @@ def constants(key: ProgramKey) -> str:
     lines.append(f"const int ALPHA_FUNC = {int(key.alpha_func)};")
     lines.append(f"const bool[6] CLIP_PLANE = bool[6]({', '.join(map(_glsl, key.clip_plane))});")
     for name in (
-        "depth_offset", "smooth_lines", "lit_elsewhere",
+        "affine", "depth_offset", "smooth_lines", "lit_elsewhere",
         "points", "areas", "wide_lines", "has_w", "object_color", "color_sum", "fog_coordinate", "polygon_stipple",
         "line_stipple", "point_smooth", "lighting", "per_fragment", "lobe_is_phong", "flip_normal", "local_viewer",
         "two_side",

@@ -158,6 +158,8 @@ class _Explainer:
         lighting = self.draw.state.lighting
         shading = self._origins(("lighting", "shade_model"))
         yield Setting("SHADED", "flat" if key.flat else "smooth", shading)
+        if key.affine:
+            yield Setting("AFFINE", value_text(key.affine), self._origins(("hints", "perspective_correction")))
         yield Setting("LIGHTING", value_text(key.lighting), self._origins(("lighting", "enabled")))
         if key.lighting:
             yield Setting("PER_FRAGMENT", value_text(key.per_fragment), shading)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from glsim import gl
 from glsim.glu.view import gluLookAt, gluPerspective
-from glsim.machine.frame import Draw, Frame
+from glsim.machine.frame import Draw, Frame, Packet
 from glsim.machine.matrix import leaf
 from glsim.machine.state import Depth, Light, Scissor, Stencil, Viewport
 from glsim.play.frames import frame_of
@@ -43,6 +44,8 @@ def outside(
     Of a frame with several cameras the one with the most vertices is shown.
 
     Raises ValueError if nothing is drawn, or its projection has no inverse.
+
+    Example: ``glsim.outside("teapot", azimuth=60, elevation=20).save("outside.png")``
     """
     frame: Frame = frame_of(what, **options)
     world = _world(frame)
@@ -215,7 +218,10 @@ def _fitted(world: _World, size: tuple[int, int], azimuth: float, elevation: flo
     tangent_y = 0.86 * np.tan(np.radians(ANGLE / 2.0))
     tangent_x = tangent_y * size[0] / size[1]
     # the eye at (x_0, y_0, d) sees all if |x - x_0| <= (d - z) tangent: both bounds of each axis give x_0 and d
-    spans = [((v + t * z).max() + (t * z - v).max(), (v + t * z).max() - (t * z - v).max(), t) for v, t in ((x, tangent_x), (y, tangent_y))]  # fmt: skip
+    spans = [
+        ((v + t * z).max() + (t * z - v).max(), (v + t * z).max() - (t * z - v).max(), t)
+        for v, t in ((x, tangent_x), (y, tangent_y))
+    ]
     d = max(span / (2.0 * t) for span, _, t in spans)
     x_0, y_0 = (difference / 2.0 for _, difference, _ in spans)
     eye = x_0 * right + y_0 * up + d * back
@@ -265,9 +271,10 @@ def _draw_world(screen: Offscreen, world: _World, view: _View) -> None:
     gluPerspective(ANGLE, width / height, reach / 1000.0, 3.0 * reach)
     projection = screen.machine.projection[-1]
     gl.glMatrixMode(gl.GL_MODELVIEW)
-    gluLookAt(*view.eye, *view.target, 0.0, 1.0, 0.0)
+    (x, y, z), (to_x, to_y, to_z) = view.eye.tolist(), view.target.tolist()
+    gluLookAt(x, y, z, to_x, to_y, to_z, 0.0, 1.0, 0.0)
     gl.glFlush()
-    moved = []
+    moved: list[Packet] = []
     for draw in world.draws:
         modelview = leaf((draw.matrices[0].get().astype(float) @ view.matrix).astype(np.float32))
         copy = draw.with_state(_outside_state(draw, view))
@@ -281,10 +288,10 @@ def _outside_state(draw: Draw, view: _View) -> Any:
     state, turn = draw.state, view.matrix
     back = np.linalg.inv(turn)
 
-    def point(position: tuple[float, ...]) -> tuple[float, ...]:
+    def point(position: Sequence[float]) -> Any:
         return tuple((np.array(position, float) @ turn).tolist())
 
-    def plane(equation: tuple[float, ...]) -> tuple[float, ...]:
+    def plane(equation: Sequence[float]) -> Any:
         return tuple((back @ np.array(equation, float)).tolist())
 
     lights = tuple(
@@ -308,7 +315,11 @@ def _draw_picture(world: _World) -> None:
     """The camera's picture as a texture on its plane."""
     from PIL import Image
 
-    rows = Image.fromarray(np.ascontiguousarray(world.picture[..., :3])).resize((512, 512)).transpose(Image.Transpose.FLIP_TOP_BOTTOM)  # fmt: skip
+    rows = (
+        Image.fromarray(np.ascontiguousarray(world.picture[..., :3]))
+        .resize((512, 512))
+        .transpose(Image.Transpose.FLIP_TOP_BOTTOM)
+    )
     gl.glBindTexture(gl.GL_TEXTURE_2D, gl.glGenTextures(1))
     gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MIN_FILTER, gl.GL_LINEAR_MIPMAP_LINEAR)
     gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_GENERATE_MIPMAP, 1)
@@ -385,9 +396,15 @@ def _draw_over(overlay: Overlay, world: _World, view: _View, axes: bool, labels:
     if world.far_shown:
         overlay.label("far plane", view.at(world.corners[7]), FAR, 18.0)
     else:
-        overlay.label(f"far plane at z = {world.corners[4, 2]:.4g}", view.at(_end_of_frustum(world)[3]), FAR, 18.0)
+        overlay.label(_far_name(world), view.at(_end_of_frustum(world)[3]), FAR, 18.0)
     if image and np.linalg.norm(world.plane[0] - world.corners[0]) > 1e-3 * world.radius:
         overlay.label("the picture", view.at(world.plane[2]), VIEW, 18.0)
+
+
+def _far_name(world: _World) -> str:
+    """Where the far plane is, as far as the numbers of the projection matrix, of 24 bits, tell it."""
+    near, far = float(world.corners[0, 2]), float(world.corners[4, 2])
+    return f"far plane at z = {far:.3g}" if abs(far) < 1e4 * abs(near) else "far plane, far away"
 
 
 def _light_name(world: _World, number: int, light: Light) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from math import atan2, cos, hypot, pi, sin
 from typing import TYPE_CHECKING
 
@@ -131,7 +132,7 @@ def _circle(middle: Place, radius: float) -> list[Place]:
 def _close(points: Sequence[Place]) -> list[Place]:
     """Points along a line, at most six pixels apart."""
     result: list[Place] = []
-    for start, end in zip(points, points[1:], strict=False):
+    for start, end in pairwise(points):
         steps = min(int(hypot(end[0] - start[0], end[1] - start[1]) / 6.0) + 1, 500)
         result += [_between(start, end, k / steps) for k in range(steps)]
     return [*result, points[-1]]

@@ -289,6 +289,7 @@ _FEATURES: dict[str, Callable[[Snapshot], bool]] = {
     "what is drawn without depth test is drawn with it": lambda s: not s.depth.test,
     "blending other than (GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA) is left out":
         lambda s: s.color_buffer.blend and s.color_buffer.blend_function[:2] != OVER,
+    "affine interpolation is left out": lambda s: s.hints.perspective_correction == gl.GL_AFFINE_GLSIM,
     "lines are one pixel wide": lambda s: s.line.width != 1.0,
 }  # fmt: skip
 

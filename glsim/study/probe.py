@@ -20,9 +20,10 @@ Bytes = tuple[int, int, int, int]
 class Vertex:
     """A corner of the primitive.  number: in the program's Draw, -1 if glsim made it; position: in object space; eye:
     in eye space; normal: in eye space, before it is turned round for a back side; window: pixels from the lower left
-    and depth, NaN if the corner is behind the eye.  linear: weight on the screen, NaN if a corner is behind the eye;
-    hyperbolic: perspective-correct weight.  color: RGBA: the result of lighting in [0, 1] if the equation ran at the
-    vertices, else the vertex's current colour."""
+    and depth, NaN if the corner is behind the eye.  linear: weight on the screen; hyperbolic:
+    perspective-correct weight, with which values are interpolated unless GL_AFFINE_GLSIM asks for the linear ones; the
+    others are NaN if a corner is behind the eye.  color: RGBA: the result of lighting in [0, 1] if the equation ran at
+    the vertices, else the vertex's current colour."""
 
     number: int
     position: Numbers

@@ -16,6 +16,7 @@ from glsim.machine.state import Scissor
 from glsim.play.frames import frame_of
 from glsim.render.context import Offscreen, offscreen
 from glsim.render.inspect import Inspector, Piece, Sample, candidates
+from glsim.render.key import draw_key
 from glsim.shading import Contribution, dot
 from glsim.study.fragments import (
     COMPARISON_SIGNS,
@@ -31,6 +32,7 @@ from glsim.study.fragments import (
 from glsim.study.probe import Bytes, Evaluation, Event, Fragment, LightTerms, Numbers, Probe, Step, Vertex
 from glsim.study.text import enum_name
 
+Pair = tuple[NDArray[np.float64], NDArray[np.float64]]
 KINDS = {3: "triangle", 2: "line", 1: "point"}
 DEPTHS = (1 << 24) - 1
 
@@ -156,12 +158,14 @@ def _line(frame: Frame, packet: Packet) -> Where | None:
 def _shading(lit: Shaded, piece: Piece, back: bool) -> str:
     lighting = piece.draw.state.lighting
     if not lighting.enabled:
-        return "no lighting, " + (
-            "flat: the last vertex's colour" if lit.where == "provoking" else "colours interpolated"
-        )
+        affine = ", affine" if draw_key(piece.draw).affine else ""
+        flat = lit.where == "provoking"
+        return "no lighting, " + ("flat: the last vertex's colour" if flat else "colours interpolated") + affine
     names = {"provoking": "flat: the equation at the provoking vertex",
              "vertex": "Gouraud: the equation at the vertices, colours interpolated",
              "fragment": "Phong: normals interpolated, the equation at the fragment"}  # fmt: skip
+    if draw_key(piece.draw).affine:
+        names = {where: f"{words}, affine" for where, words in names.items()}
     side = ", back side: N turned round" if lighting.two_side and back and piece.corners == 3 else ""
     return names[lit.where] + side
 
@@ -196,9 +200,9 @@ def _vertices(one: Piece, sample: Sample, lit: Shaded) -> tuple[Vertex, ...]:
 
     rows = lit.corners[0]
     stage, weights = lit.stage, lit.weights[0]
-    on_screen = weights * stage.clip[rows, 3]
-    in_front = stage.clip[rows, 3] > 0.0
-    linear = on_screen / on_screen.sum() if in_front.all() else np.full(len(rows), np.nan)
+    w = stage.clip[rows, 3]
+    in_front = w > 0.0
+    linear, hyperbolic = interpolation_weights(weights, w, draw_key(one.draw).affine)
     numbers = [-1] * len(rows) if one.source is None else one.source[0].tolist()
     at = np.where(in_front[:, None], window(stage.clip[rows], one.draw.state.viewport), np.nan)
     positions = one.draw.block.rows[one.vertices(np.zeros(1, np.int64))[0], :3]
@@ -208,10 +212,21 @@ def _vertices(one: Piece, sample: Sample, lit: Shaded) -> tuple[Vertex, ...]:
     return tuple(
         Vertex(
             int(numbers[k]), _floats(positions[k]), _floats(stage.eye[row]), _floats(stage.normal[row]),
-            _floats(at[k, :3]), float(linear[k]), float(weights[k]), _floats(colors[k]),
+            _floats(at[k, :3]), float(linear[k]), float(hyperbolic[k]), _floats(colors[k]),
         )
         for k, row in enumerate(rows)
     )  # fmt: skip
+
+
+def interpolation_weights(weights: NDArray[np.float64], w: NDArray[np.float64], affine: bool) -> Pair:
+    """The linear and the hyperbolic weights of a primitive's corners, (k,) each.
+
+    weights: those with which the GPU interpolated, linear ones if ``affine``.  w: of the corners in clip space.  The
+    weights that were not used are NaN if a corner is behind the eye.
+    """
+    other = weights / w if affine else weights * w
+    other = other / other.sum() if (w > 0.0).all() else np.full(len(w), np.nan)
+    return (weights, other) if affine else (other, weights)
 
 
 def _evaluations(one: Piece, sample: Sample, lit: Shaded) -> tuple[Evaluation, ...]:

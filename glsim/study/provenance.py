@@ -45,8 +45,8 @@ SETTER_FAMILIES = {
     "glActiveTexture", "glAlphaFunc", "glBindTexture", "glBlendColor", "glBlendEquation", "glBlendFunc",
     "glBlendFuncSeparate", "glClearColor", "glClearDepth", "glClearStencil", "glClipPlane", "glColorMask",
     "glColorMaterial", "glCullFace", "glDepthFunc", "glDepthMask", "glDepthRange", "glDisable", "glDrawBuffer",
-    "glEnable", "glFog", "glFrontFace", "glLight", "glLightModel", "glLineStipple", "glLineWidth", "glLogicOp",
-    "glMaterial", "glMatrixMode", "glPointParameter", "glPointSize", "glPolygonMode", "glPolygonOffset",
+    "glEnable", "glFog", "glFrontFace", "glHint", "glLight", "glLightModel", "glLineStipple", "glLineWidth",
+    "glLogicOp", "glMaterial", "glMatrixMode", "glPointParameter", "glPointSize", "glPolygonMode", "glPolygonOffset",
     "glPolygonStipple", "glSampleCoverage", "glScissor", "glShadeModel", "glStencilFunc", "glStencilMask",
     "glStencilOp", "glTexEnv", "glTexGen", "glViewport",
 }  # fmt: skip

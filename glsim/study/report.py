@@ -98,7 +98,7 @@ def _vertices(fragment: Fragment, height: int) -> Table:
     for v in fragment.vertices:
         name = str(v.number) if v.number >= 0 else "-"
         at = "behind the eye" if isnan(v.window[0]) else f"({v.window[0]:.1f}, {height - v.window[1]:.1f})"
-        weights = ("-" if isnan(v.linear) else f"{v.linear:.4f}", f"{v.hyperbolic:.4f}")
+        weights = ("-" if isnan(weight) else f"{weight:.4f}" for weight in (v.linear, v.hyperbolic))
         table.add_row(
             name, vector(v.position), vector(v.eye[:3]), vector(v.normal), at, *weights, *map(number, v.color[:3])
         )
@@ -146,9 +146,10 @@ def _after_lighting(fragment: Fragment) -> Table:
     table = Table("step", "how", title="From there to the picture", title_justify="left")
     for channel in "RGBA":
         table.add_column(channel, justify="right")
+    weights = "linear" if ", affine" in fragment.shading else "hyperbolic"
     sources = {
         "flat": "the provoking vertex' own",
-        "colours interpolated": "the vertices' colours times their hyperbolic weights",
+        "colours interpolated": f"the vertices' colours times their {weights} weights",
         "Phong": "the fragment's own",
     }
     words = next((text for key, text in sources.items() if key in fragment.shading), "")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -42,6 +43,8 @@ def vectors(
     weight is largest; the others show their N.  An arrow that points at the eye is a ring with a dot.
 
     Raises ValueError where no lit surface is seen, or for a light that is not on.
+
+    Example: ``glsim.vectors("sphere", 240, 200, light=0).save("vectors.png")``
     """
     if not 0.02 <= length <= 1.0:
         raise ValueError(f"vectors: length must be in [0.02, 1], a share of the picture, not {length}")
@@ -105,7 +108,7 @@ class _View:
     pixels: float
 
     def clip(self, P: ArrayLike) -> Float:
-        return np.append(np.asarray(P, float), 1.0) @ self.draw.matrices[1].get().astype(float)
+        return np.asarray(np.append(np.asarray(P, float), 1.0) @ self.draw.matrices[1].get().astype(float))
 
     def at(self, P: ArrayLike) -> Place:
         x, y = window(self.clip(P)[None], self.draw.state.viewport)[0, :2]
@@ -114,11 +117,11 @@ class _View:
     def scale(self, P: ArrayLike) -> float:
         """The length in eye space that appears ``pixels`` long at P, seen from the side."""
         P = np.asarray(P, float)
-        w = abs(self.clip(P)[3])
+        w = abs(float(self.clip(P)[3]))
         step = 1e-3 * max(w, 1e-3)
         here = np.array(self.at(P))
         moved = [float(np.linalg.norm(np.array(self.at(P + step * axis)) - here)) for axis in np.eye(3)[:2]]
-        return self.pixels * step / max(*moved, 1e-12)
+        return float(self.pixels * step / max(*moved, 1e-12))
 
     def tip(self, P: ArrayLike, direction: ArrayLike) -> Place:
         """The end of the arrow of a unit vector at P; shorter where it would come too near to the eye."""
@@ -135,7 +138,7 @@ def _draw_vectors(
     if chosen.at != "fragment":  # the triangle, and where in it the pixel is
         corners = [view.at(np.array(v.eye[:3]) / v.eye[3]) for v in fragment.vertices]
         overlay.line([*corners, corners[0]], FAINT, 1.6)
-        wide = max(float(np.hypot(*np.subtract(a, b))) for a, b in zip(corners, corners[1:], strict=False)) > 60.0
+        wide = max(float(np.hypot(*np.subtract(a, b))) for a, b in pairwise(corners)) > 60.0
         for other in fragment.evaluations if wide else ():
             if other is not chosen:
                 _arrow(overlay, view, other.P, shading.normalize(other.N), "N", "", 2.2)
@@ -208,21 +211,38 @@ def _angles(chosen: Evaluation, light: LightTerms) -> list[tuple[tuple[int, int,
 def _where(fragment: Fragment, chosen: Evaluation) -> str:
     if chosen.at == "fragment":
         return "Phong shading: evaluated at this pixel, with the interpolated normal."
-    model = "Flat" if len(fragment.evaluations) == 1 else "Gouraud"
-    share = "" if model == "Flat" else f", whose weight is {chosen.weight:.2f}"
-    return f"{model} shading: evaluated at {'the' if model == 'Flat' else 'each'} {'provoking ' if model == 'Flat' else ''}vertex; the arrows are at {chosen.at}{share}. The ring is the pixel."  # fmt: skip
+    if len(fragment.evaluations) == 1:
+        return (
+            f"Flat shading: evaluated at the provoking vertex, {chosen.at}, where the arrows are. The ring: the pixel."
+        )
+    return (
+        f"Gouraud shading: evaluated at each vertex; the arrows are at {chosen.at}, whose weight is "
+        f"{chosen.weight:.2f}. The ring is the pixel."
+    )
 
 
 def _remarks(chosen: Evaluation, light: LightTerms) -> list[str]:
     """What a student should know about these vectors."""
     lobe = "Phong's (R·V)" if light.vector == "R" else "Blinn's (N·H)"
-    remarks = [f"The highlight is {lobe} to the power of {chosen.n:g}."]
+    remarks = [f"The highlight is {lobe} to the power of {chosen.n:.3g}."]
+    if not any(chosen.k_s):
+        remarks = ["k_s = 0: the material has no highlight."]
     length = float(np.linalg.norm(chosen.N))
     if abs(length - 1.0) > 1e-3:
         remarks.append(f"N is not of unit length: |N| = {length:.3f}; here it is drawn as if it were.")
+    N, L, V = shading.normalize(chosen.N), np.array(light.L), np.array(light.V)
+    out = float(np.degrees(np.arcsin(np.clip(abs(V @ np.cross(N, _across(N, L, V))), 0.0, 1.0))))
+    if out > 2.0:
+        remarks.append(f"V leaves the plane of N and L by {out:.0f}°.")
     if light.N_L < 0.0:
         remarks.append("N·L < 0: the light is behind the surface.")
     return remarks
+
+
+def _across(N: Float, L: Float, V: Float) -> Float:
+    """The direction across N in the plane of N and L, away from L; of N and V if N is L, and zeros if all are one."""
+    side = -L if np.linalg.norm(np.cross(N, L)) > 1e-6 else V
+    return np.asarray(shading.normalize(side - (side @ N) * N))
 
 
 def _side_view(chosen: Evaluation, light: LightTerms) -> Image.Image:
@@ -230,12 +250,7 @@ def _side_view(chosen: Evaluation, light: LightTerms) -> Image.Image:
     from PIL import Image
 
     N, L, V = shading.normalize(chosen.N), np.array(light.L), np.array(light.V)
-    across = next(
-        (side for side in (shading.normalize(v - (v @ N) * N) for v in (-L, V)) if np.linalg.norm(side) > 0.5),
-        np.zeros(3),
-    )
-    if np.linalg.norm(np.cross(N, L)) < 1e-6:
-        across = shading.normalize(V - (V @ N) * N)
+    across = _across(N, L, V)
     long, x, y = 132.0, PANEL / 2.0, 198.0 if light.N_L >= 0.0 else 148.0
     overlay = Overlay(Image.new("RGB", (PANEL, 270), PAPER))
     overlay.line([(24.0, y), (PANEL - 24.0, y)], FAINT, 2.0)
@@ -246,9 +261,6 @@ def _side_view(chosen: Evaluation, light: LightTerms) -> Image.Image:
     for name, vector in (("R", shading.reflection(N, L)), ("H", shading.halfway(L, V)), ("V", V), ("L", L), ("N", N)):
         overlay.arrow((x, y), place(vector), COLORS[name], 3.0)
         overlay.label(name, place(vector), COLORS[name], 20.0)
-    out = float(np.degrees(np.arcsin(np.clip(abs(V @ np.cross(N, across)), 0.0, 1.0))))
-    if out > 2.0:
-        overlay.label(f"V leaves this plane by {out:.0f}°", (x, 240.0), FAINT, 14.0)
     return overlay.image()
 
 

@@ -32,7 +32,7 @@ ADDED = {
             (
                 "GL_PHONG_WIN", "GL_PHONG_HINT_WIN", "GL_LIGHT_MODEL_SPECULAR_LOBE_GLSIM", "GL_BLINN_TORRANCE_GLSIM",
                 "GL_PHONG_LOBE_GLSIM", "GL_LIGHT_MODEL_BACK_LIGHTING_GLSIM", "GL_CLAMP_NORMAL_GLSIM",
-                "GL_FLIP_NORMAL_GLSIM",
+                "GL_FLIP_NORMAL_GLSIM", "GL_AFFINE_GLSIM",
             ),
             "glsim's extensions",
         ),

@@ -52,6 +52,16 @@ def test_the_command(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.slow
+def test_a_camera_around_the_scene(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run("goral --patches 30 --size 48 --camera -35,20,3.5 -o a.png") == 0
+    assert run("goral --patches 30 --size 48 -o b.png") == 0
+    assert Path("a.png").read_bytes() != Path("b.png").read_bytes()
+    with pytest.raises(SystemExit):
+        run("goral --camera 10 -o c.png")
+    assert "--camera" in capsys.readouterr().err
+
+
+@pytest.mark.slow
 def test_several_views(folder: Path) -> None:
     assert run("museum --patches 300 --size 48 --views all -o a.png -o a.ply --direct d.png") == 0
     assert sorted(path.name for path in folder.iterdir()) == ["a-0.png", "a-1.png", "a.ply", "d-0.png", "d-1.png"]

@@ -73,5 +73,5 @@ def test_the_iterations_of_a_solution_can_be_followed() -> None:
     assert all(later.residual < earlier.residual for earlier, later in pairwise(steps))
     np.testing.assert_allclose(steps[-1].B, box.B, atol=1e-4)
     np.testing.assert_allclose(box.at_vertices(box.patches.E), box.direct())
-    with pytest.raises(SceneError, match="the solvers are .*, not 'jacoby'"):
+    with pytest.raises(SceneError, match=r"the solvers are .*, not 'jacoby'"):
         box.iterations("jacoby")

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from glsim.gl import *
-from glsim.glu import gluLookAt, gluOrtho2D, gluPerspective
-from glsim.glu import gluNewQuadric, gluQuadricOrientation, gluSphere
+from glsim.glu import gluLookAt, gluNewQuadric, gluOrtho2D, gluPerspective, gluQuadricOrientation, gluSphere
 from glsim.glut import glutSolidCube, glutSolidSphere
 from glsim.glut.teaset import glutSolidTeapot
 from tests.drawing import lit

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from glsim import shading
-from glsim.study.plots.curves import N, _incidence, in_plane, medium, polarised_shares
+from glsim.study.plots.curves import N, in_plane, incidence, incidences, medium, polarised_shares
 from glsim.study.plots.style import BLUE, COLORS, FAINT, GREEN, INK, ORANGE, PINK, RED, SURFACE, Plot, diagram
 
 if TYPE_CHECKING:
@@ -27,8 +28,10 @@ def reflection(theta: float | Sequence[float] = 40.0) -> Plot:
     """The law of reflection: the ray leaves at the angle at which it came.
 
     theta: angle of incidence in degrees, or several, each in a colour of its own.
+
+    Example: ``plots.reflection((20, 50))``
     """
-    angles = _angles("reflection", theta)
+    angles = incidences("reflection", theta)
 
     def draw(axes: Axes) -> None:
         _ground(axes)
@@ -51,15 +54,19 @@ def reflection(theta: float | Sequence[float] = 40.0) -> Plot:
     return diagram(draw, f"light reflected at {_list(angles)} degrees on both sides of the normal")
 
 
-def refraction(n_1: str | float = "air", n_2: str | float = "glass", theta: float | Sequence[float] = (20, 40, 60)) -> Plot:  # fmt: skip
+def refraction(
+    n_1: str | float = "air", n_2: str | float = "glass", theta: float | Sequence[float] = (20, 40, 60)
+) -> Plot:
     """Snell's law: rays from one medium into another, with the share that is reflected as their width.
 
     n_1, n_2: names of plots.MEDIA or refractive indices, above and below the surface.  theta: angles of incidence in
     degrees.  Rays beyond the critical angle are reflected totally.
+
+    Example: ``plots.refraction("glass", "air", (20, 35, 60))``
     """
     (name_1, a), (name_2, b) = medium(n_1), medium(n_2)
     n_a, n_b = complex(a).real, complex(b).real
-    angles = _angles("refraction", theta)
+    angles = incidences("refraction", theta)
     total = [t for t in angles if n_a * np.sin(np.radians(t)) > n_b]
 
     def draw(axes: Axes) -> None:
@@ -88,8 +95,11 @@ def refraction(n_1: str | float = "air", n_2: str | float = "glass", theta: floa
 
 
 def computing_r(theta: float = 35.0) -> Plot:
-    """The lecture's construction R = (N.L) N + S with S = (N.L) N - L.  theta: angle of incidence in degrees."""
-    theta = _incidence("computing_r", theta)
+    """The lecture's construction R = (N.L) N + S with S = (N.L) N - L.  theta: angle of incidence in degrees.
+
+    Example: ``plots.computing_r(35)``
+    """
+    theta = incidence("computing_r", theta)
     L, R = at(-theta), at(theta)
     foot = np.array([0.0, L[1]])
 
@@ -116,8 +126,12 @@ def halfway(light: float = 50.0, eye: float = 10.0) -> Plot:
     """H halfway between L and V, and R: the angle between N and H is half of that between R and V.
 
     light, eye: angles of L (to the left) and V (to the right of N if positive) from N, in degrees, in (-90, 90).
+
+    Example: ``plots.halfway(light=50, eye=10)``
     """
-    light = _incidence("halfway", light)
+    for angle in (light, eye):
+        if not -90.0 < angle < 90.0:
+            raise ValueError(f"plots.halfway: angles must be in (-90, 90) degrees, not {angle:g}")
     L, V = in_plane(-light), in_plane(eye)
     H, R = shading.halfway(L, V)[[0, 2]], shading.reflection(N, L)[[0, 2]]
     middle = (eye - light) / 2.0
@@ -141,16 +155,21 @@ def cosine_law(theta: Sequence[float] = (0, 40, 65)) -> Plot:
     """The proof of Lambert's cosine law: a beam as wide as w lights a footprint of w / cos(theta).
 
     theta: angles of incidence in degrees, each in [0, 80].
+
+    Example: ``plots.cosine_law((0, 30, 60))``
     """
-    angles = _angles("cosine_law", theta)
+    angles = incidences("cosine_law", theta)
     if max(angles) > 80.0:
         raise ValueError(f"plots.cosine_law: angles must be in [0, 80] degrees, not {max(angles):g}")
     w = 0.5
     feet = [w / np.cos(np.radians(t)) for t in angles]
-    middles = np.cumsum([feet[0] / 2.0, *(f / 2.0 + g / 2.0 + 0.95 for f, g in zip(feet, feet[1:], strict=False))])
+    gaps = [max(0.95, 0.3 + 1.25 * (np.sin(b) - np.cos(b) * np.tan(a))) for a, b in pairwise(np.radians(angles))]
+    steps = [gap + (f + g) / 2.0 for gap, (f, g) in zip(gaps, pairwise(feet), strict=True)]
+    middles = np.cumsum([feet[0] / 2.0, *steps])
 
     def draw(axes: Axes) -> None:
-        left, right = -0.9, float(middles[-1] + feet[-1] / 2.0 + 0.5)
+        left = min(-0.9, -0.3 - 1.25 * float(np.sin(np.radians(angles[0]))))
+        right = float(middles[-1] + feet[-1] / 2.0 + 0.5)
         axes.fill_between([left, right], -0.16, 0.0, color=SURFACE, linewidth=0)
         axes.plot([left, right], [0, 0], color=INK, linewidth=2.0)
         for t, foot, x in zip(angles, feet, middles, strict=True):
@@ -190,8 +209,10 @@ def nusselt(elevation: float = 50.0, size: float = 0.7, distance: float = 1.7) -
 
     elevation: angle of the patch's middle from the normal in degrees; size, distance: of the patch, in radii.
     The form factor is the share of the base circle that is covered.
+
+    Example: ``plots.nusselt(elevation=30, size=0.7)``
     """
-    elevation = _incidence("nusselt", elevation)
+    elevation = incidence("nusselt", elevation)
     if not (0.0 < size < 2.0 and distance > 1.0):
         raise ValueError("plots.nusselt: the size must be in (0, 2) and the distance more than 1, in radii")
     middle, across = at(elevation, distance), at(elevation + 90.0, size / 2.0)
@@ -226,13 +247,6 @@ def nusselt(elevation: float = 50.0, size: float = 0.7, distance: float = 1.7) -
 # ---------------------------------------------------------------- strokes
 
 
-def _angles(call: str, theta: float | Sequence[float]) -> list[float]:
-    angles = [theta] if isinstance(theta, int | float) else list(theta)
-    if not angles:
-        raise ValueError(f"plots.{call}: at least one angle is needed")
-    return [_incidence(call, angle) for angle in angles]
-
-
 def _list(angles: Sequence[float]) -> str:
     return ", ".join(f"{angle:g}" for angle in angles)
 
@@ -259,8 +273,7 @@ def _room(axes: Axes, half: float, y: tuple[float, float]) -> None:
 
 
 def _label(axes: Axes, place: ArrayLike, text: str, color: str = INK, ha: str = "center") -> None:
-    x, y = np.asarray(place, float)
-    axes.text(x, y, text, color=color, ha=ha, va="center", fontsize=14)  # type: ignore[arg-type]
+    axes.text(*_place(place), text, color=color, ha=ha, va="center", fontsize=14)
 
 
 def _arrow(
@@ -268,9 +281,9 @@ def _arrow(
 ) -> None:
     """A vector from start to end, with its name beside the tip (off: points)."""
     style = {"arrowstyle": "-|>", "color": color, "lw": 2.6, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 18}
-    axes.annotate("", np.asarray(end), np.asarray(start), arrowprops=style)
+    axes.annotate("", _place(end), _place(start), arrowprops=style)
     if name:
-        axes.annotate(name, np.asarray(end), off, textcoords="offset points", color=color, ha="center", va="center",
+        axes.annotate(name, _place(end), off, textcoords="offset points", color=color, ha="center", va="center",
                       fontsize=16)  # fmt: skip
 
 
@@ -283,6 +296,11 @@ def _ray(
     place = start + 0.55 * (end - start)
     style = {"arrowstyle": "-|>", "color": color, "lw": 0.1, "mutation_scale": head, "alpha": alpha}
     axes.annotate("", place + 0.02 * (end - start), place, arrowprops=style)
+
+
+def _place(point: ArrayLike) -> tuple[float, float]:
+    x, y = np.asarray(point, float)
+    return float(x), float(y)
 
 
 def _angle(axes: Axes, first: float, last: float, radius: float, text: str, color: str = INK) -> None:

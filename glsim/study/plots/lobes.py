@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from glsim import shading
-from glsim.study.plots.curves import N, _incidence, in_plane
+from glsim.study.plots.curves import N, in_plane, incidences
 from glsim.study.plots.style import FAINT, INK, SURFACE, Plot, diagram, line_style
 
 if TYPE_CHECKING:
@@ -38,15 +38,17 @@ def lobes(
     models: label -> a BRDF of glsim.shading, of which f (1/sr) is drawn, or a function of N, L, V such as phong_term,
     of which I is drawn.  theta: angle of incidence in degrees, or several.  cosine: multiply a BRDF by N.L, so that it
     is comparable with terms.  largest: of the scale; what is larger is cut off.
+
+    Example: ``plots.lobes({"Phong": plots.phong_term(n=20), "Blinn": plots.blinn_term(n=20)}, theta=40)``
     """
     if not models:
         raise ValueError("plots.lobes: at least one model is needed, as {label: BRDF}")
-    incidences = [_incidence("lobes", t) for t in ([theta] if isinstance(theta, int | float) else theta)]
+    thetas = incidences("lobes", theta)
     angle = np.linspace(-90.0, 90.0, 1441)
     lines: list[tuple[str, Float]] = []
     for label, model in models.items():
-        for t in incidences:
-            words = f"{label}, $\\theta = {t:g}°$" if len(incidences) > 1 else label
+        for t in thetas:
+            words = f"{label}, $\\theta = {t:g}°$" if len(thetas) > 1 else label
             lines.append((words, _radius(model, t, angle, cosine)))
     radius = largest or 1.12 * max(float(np.nanmax(values)) for _, values in lines) or 1.0
 
@@ -57,13 +59,13 @@ def lobes(
             x, y = polar(angle, np.minimum(values, radius))
             axes.plot(x, y, label=label, **style)
             axes.fill(x, y, color=style["color"], alpha=0.10, linewidth=0)
-        for t in incidences:
+        for t in thetas:
             _rays(axes, t, radius)
         axes.set_title(title or "Where the light goes")
         columns = min(3, len(lines)) if len(lines) != 4 else 2
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0.04), ncols=columns, columnspacing=1.4)
 
-    many = ", ".join(f"{t:g}" for t in incidences)
+    many = ", ".join(f"{t:g}" for t in thetas)
     alt = f"polar lobes in the plane of incidence for light from {many} degrees: {', '.join(models)}"
     return diagram(draw, alt, (7.6, 5.0))
 
@@ -71,7 +73,8 @@ def lobes(
 def polar(degrees: ArrayLike, radius: ArrayLike) -> Float:
     """Points (2, ...) at angles from the normal, which points up; positive angles lean to the right."""
     angle = np.radians(np.asarray(degrees, float))
-    return np.stack([np.sin(angle), np.cos(angle)]) * np.asarray(radius, float)
+    length = np.asarray(radius, float)
+    return np.stack([length * np.sin(angle), length * np.cos(angle)])
 
 
 def _radius(model: Any, theta: float, angle: Float, cosine: bool) -> Float:
@@ -108,8 +111,10 @@ def _half_disc(axes: Axes, radius: float) -> None:
 
 def _rays(axes: Axes, theta: float, radius: float) -> None:
     """The light from the left, and the mirrored direction R to the right."""
-    start, end = polar(-theta, radius), polar(-theta, 0.03 * radius)
-    axes.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": INK, "lw": 2.2, "mutation_scale": 18})
+    (x_1, y_1), (x_2, y_2) = polar(-theta, radius), polar(-theta, 0.03 * radius)
+    axes.annotate(
+        "", (x_2, y_2), (x_1, y_1), arrowprops={"arrowstyle": "-|>", "color": INK, "lw": 2.2, "mutation_scale": 18}
+    )
     axes.plot(*polar(theta, [0.0, radius]), color=FAINT, linewidth=1.2, linestyle=(0, (3, 3)), zorder=1)
     for name, degrees in (("L", -theta - 5.0), ("R", theta + 5.0)):
         x, y = polar(degrees, 0.92 * radius)

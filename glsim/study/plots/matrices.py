@@ -27,6 +27,8 @@ def matrix(
     rows and columns.  bar: what the colours mean.  log: colours by the logarithm, over four decades.  numbers: the
     values in the cells (None: if there are at most 14 rows).  Negative values get the other half of a scale of two
     colours.
+
+    Example: ``plots.matrix(radiosity.solve("cornell", 100), log=True)``
     """
     M = form_factors(values) if hasattr(values, "factors") else np.asarray(values, float)
     if M.ndim != 2 or not M.size:
@@ -44,7 +46,7 @@ def matrix(
             axes.set(xlabel="patch $j$, which receives", ylabel="patch $i$, which sends")
         axes.set_title(title)
         assert axes.figure is not None
-        axes.figure.colorbar(image, ax=axes, label=words, shrink=0.85).outline.set_visible(False)  # type: ignore[operator]
+        axes.figure.colorbar(image, ax=axes, label=words, shrink=0.85).outline.set_visible(False)
 
     return plot(
         draw, f"{title or bar or 'a matrix'}: {M.shape[0]} x {M.shape[1]} values as colours", (side + 1.2, side)
@@ -62,6 +64,8 @@ def system(result: Any, channel: int = 0, *, title: str = "") -> Plot:
     """The linear system E = (I - R F) B of a small solution, with all its numbers.
 
     result: of glsim.radiosity.solve, with at most 14 patches.  channel: 0 red, 1 green, 2 blue.
+
+    Example: ``plots.system(radiosity.solve("goral", 10))``
     """
     n = len(result.patches)
     if n > NUMBERS:
@@ -72,7 +76,10 @@ def system(result: Any, channel: int = 0, *, title: str = "") -> Plot:
 
 
 def system_of(E: ArrayLike, M: ArrayLike, B: ArrayLike, *, title: str = "") -> Plot:
-    """E = M B with the numbers in cells.  E, B: (n,); M: (n, n)."""
+    """E = M B with the numbers in cells.  E, B: (n,); M: (n, n).
+
+    Example: ``plots.system_of([1, 0], [[1, -0.4], [-0.2, 1]], [1.09, 0.22])``
+    """
     E, M, B = np.asarray(E, float), np.asarray(M, float), np.asarray(B, float)
     n = len(M)
     if M.shape != (n, n) or E.shape != (n,) or B.shape != (n,):
@@ -118,9 +125,11 @@ def _cells(axes: Axes, M: Float, log: bool, numbers: bool, left: float = 0.0) ->
     axes.grid(False)
     for (row, column), value in np.ndenumerate(M) if numbers else ():
         r, g, b, _ = colors(norm(value))
+        text = f"{value:.2f}".replace("-0.00", "0.00")
         dark = 0.3 * r + 0.59 * g + 0.11 * b < 0.55
-        axes.text(left + column + 0.5, row + 0.5, f"{value:.2f}".replace("-0.00", "0.00"), ha="center", va="center", fontsize=11,
-                  color=PAPER if dark else INK)  # fmt: skip
+        axes.text(
+            left + column + 0.5, row + 0.5, text, color=PAPER if dark else INK, ha="center", va="center", fontsize=11
+        )
     return image
 
 

@@ -5,8 +5,10 @@ matplotlib is used without pyplot, so nothing is kept between two plots and no w
 
 from __future__ import annotations
 
+import hashlib
 import io
 import os
+import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -43,7 +45,7 @@ def styled() -> Iterator[None]:
         from matplotlib import rc_context
     except ImportError as error:
         raise ImportError(MISSING) from error
-    with rc_context(STYLE):
+    with rc_context(STYLE):  # type: ignore[arg-type,unused-ignore]  # newer stubs of matplotlib want literal keys
         yield
 
 
@@ -87,13 +89,27 @@ class Plot:
         nothing = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(kind, {})
         with styled():
             self.figure.savefig(stream, format=kind, dpi=dpi, metadata=nothing, bbox_inches="tight", pad_inches=0.12)
-        return stream.getvalue()
+        data = stream.getvalue()
+        return _same_names(data.decode()).encode() if kind == "svg" else data
 
     def _repr_svg_(self) -> str:
         return self.svg()
 
     def _repr_png_(self) -> bytes:
         return self._written("png", 150.0)
+
+
+def _same_names(svg: str) -> str:
+    """An SVG whose clip paths are named after the drawing; matplotlib names some after addresses in memory."""
+    clips = dict(re.findall(r'<clipPath id="(\w+)">(.*?)</clipPath>\s*', svg, re.DOTALL))
+    svg = re.sub(r"<clipPath .*?</clipPath>\s*", "", svg, flags=re.DOTALL)
+    different = list(dict.fromkeys(clips.values()))
+    for name, clip in clips.items():
+        svg = svg.replace(f"url(#{name})", f"url(#clip-{different.index(clip)})")
+    drawing = hashlib.sha256(svg.encode()).hexdigest()[:10]  # several plots on one page have names of their own
+    svg = re.sub(r"url\(#clip-(\d+)\)", rf"url(#clip-{drawing}-\1)", svg)
+    texts = (f'<clipPath id="clip-{drawing}-{number}">{clip}</clipPath>' for number, clip in enumerate(different))
+    return svg.replace("</svg>", f"<defs>{''.join(texts)}</defs>\n</svg>")
 
 
 def plot(draw: Callable[[Axes], None], alt: str, size: tuple[float, float] = (7.6, 4.6), **axes: Any) -> Plot:

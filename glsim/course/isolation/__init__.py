@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
-import sys
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 from typing import Protocol
 
+from glsim.course.isolation.clean import environment
 from glsim.play.supervise import supervised
 
 
@@ -38,10 +38,9 @@ class Separate:
         return "" if outcome.code == 0 else f"the process ended with exit code {outcome.code}"
 
 
-def environment() -> dict[str, str]:
-    """The environment of a student's process: nothing of the teacher's but what Python and the GL library need."""
-    root = str(Path(__file__).resolve().parents[2])
-    kept = {name: os.environ[name] for name in ("PATH", "LANG", "GLSIM_BACKEND", "SYSTEMROOT") if name in os.environ}
-    threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "LP_NUM_THREADS"), "1")
-    return {**kept, **threads, "PYTHONPATH": os.pathsep.join([root, *(p for p in sys.path if "site-packages" in p)]),
-            "PYTHONHASHSEED": "0", "PYTHONDONTWRITEBYTECODE": "1"}  # fmt: skip
+@cache
+def best() -> Isolation:
+    """Bubblewrap if it works on this machine, else ``Separate``.  Each is tried once, by drawing a picture in it."""
+    from glsim.course.isolation.bubblewrap import Bubblewrap, works
+
+    return Bubblewrap() if works() else Separate()

@@ -1,0 +1,1 @@
+"""Snapshot tests: pictures held against approved baselines, as a pytest plugin (plugin.py)."""

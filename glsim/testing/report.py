@@ -1,0 +1,147 @@
+"""The report of a run: a folder with report.json, an offline page, the pictures that failed, and how they differ.
+
+gl-report/index.html                                                        the page
+gl-report/candidates/tests/__gl_snapshots__/test_ball/test_phong.png        what was drawn; can be approved
+gl-report/differences/tests/__gl_snapshots__/test_ball/test_phong.png       expected, actual, difference x 16
+gl-report/report.json                                                       what ``glsim snapshots`` reads
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+from glsim.files import write_atomically, write_text
+from glsim.images import Pixels, on_paper
+from glsim.metrics import difference
+from glsim.pictures import tiles
+from glsim.testing import baselines
+from glsim.testing.settings import Settings
+from glsim.version import __version__
+
+FORMAT = 1
+AMPLIFIED = 16
+MOST = 100  # strips on the page
+TEXTS = ("test", "name", "base", "folder", "status", "message", "closest", "candidate")
+ORDER = ("failed", "missing", "close", "updated", "passed")
+SAID = {
+    "failed": "failed",
+    "missing": "without a baseline",
+    "close": "passed without being equal",
+    "updated": "written as baselines",
+    "passed": "equal to a baseline",
+}
+
+
+def write_difference(path: Path, expected: Pixels, actual: Pixels) -> None:
+    """Expected, actual, and the difference x 16 as one PNG.  Pictures of different sizes share the larger frame."""
+    height, width = np.maximum(expected.shape[:2], actual.shape[:2])
+    padded = []
+    for picture in (expected, actual):
+        frame = np.zeros((height, width, 4), np.uint8)
+        frame[: picture.shape[0], : picture.shape[1]] = picture
+        padded.append(frame)
+    d = np.abs(difference(*padded)).astype(np.int32)
+    shown = np.maximum(d[..., :3], d[..., 3:])  # alpha is white
+    amplified = np.asarray(np.minimum(shown * AMPLIFIED, 255), np.uint8)
+    row = [
+        (f"expected, {expected.shape[1]} x {expected.shape[0]}", on_paper(padded[0])),
+        (f"actual, {actual.shape[1]} x {actual.shape[0]}", on_paper(padded[1])),
+        (f"difference x {AMPLIFIED}", amplified),
+    ]
+    sheet = tiles(path.stem, [row], max(256, min(1024, int(height), int(width))))
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_atomically(path, lambda name: sheet.save(name, "PNG"))
+
+
+def write_report(
+    settings: Settings, entries: Sequence[dict[str, Any]], unused: Sequence[str], header: Sequence[str]
+) -> None:
+    """index.html and report.json, into the report's folder."""
+    from glsim.web.page import page
+
+    folder = settings.folder
+    folder.mkdir(parents=True, exist_ok=True)
+    write_text(folder / ".gitignore", "*\n")
+    ordered = sorted(entries, key=lambda entry: ORDER.index(entry["status"]))
+    counted = Counter(entry["status"] for entry in ordered)
+    shown = [entry for entry in ordered if entry["candidate"]]
+    strips = [_strip(settings, entry) for entry in shown[:MOST]]
+    about = [", ".join(f"{counted[s]} {SAID[s]}" for s in ORDER if counted[s]) + "."]
+    about += [f"The first {MOST} of {len(shown)} pictures are shown."] if len(shown) > MOST else []
+    about += [f"Unused baselines: {', '.join(unused)}."] if unused else []
+    about += header
+    write_text(folder / "index.html", page("Pictures of a test run", strips, "\n\n".join(about)))
+    report = {"format": FORMAT, "glsim": __version__, "snapshots": ordered, "unused": list(unused)}
+    write_text(folder / "report.json", json.dumps(report, indent=1) + "\n")
+
+
+def _strip(settings: Settings, entry: dict[str, Any]) -> Any:
+    from glsim.web.page import Picture, Strip
+
+    actual = baselines.read(settings.folder / entry["candidate"])
+    pictures = [Picture("actual", actual)]
+    path = settings.root / entry["folder"] / entry["closest"]
+    if entry["closest"] and path.is_file():
+        pictures.insert(0, Picture("expected", baselines.read(path), entry["closest"]))
+    status = "passed" if entry["status"] == "close" else "failed"
+    title = entry["test"] + (f", {entry['name']}" if entry["name"] else "")
+    return Strip(title, pictures, 0, status, [entry["message"]])
+
+
+def load_report(folder: Path) -> dict[str, Any]:
+    """What report.json says, checked.  Raises ValueError, OSError for a folder that is no report."""
+    from glsim.files import read_regular
+
+    try:
+        report = json.loads(read_regular(folder / "report.json", 1 << 26))
+        entries, unused = report["snapshots"], report["unused"]
+        sound = report["format"] == FORMAT and all(isinstance(path, str) for path in unused)
+        for entry in entries:
+            sound = sound and all(isinstance(entry[key], str) for key in TEXTS) and entry["status"] in ORDER
+    except FileNotFoundError:
+        raise FileNotFoundError(f"{folder} is no report of snapshots: there is no report.json in it") from None
+    except (ValueError, KeyError, TypeError) as error:
+        raise ValueError(f"{folder}/report.json is no report of this glsim: {error}") from None
+    if not sound:
+        raise ValueError(f"{folder}/report.json is no report of this glsim")
+    return {"snapshots": entries, "unused": unused}
+
+
+def inside(root: Path, relative: str) -> Path:
+    """root / relative, if that is a baseline's place inside of root.
+
+    A report may come from a stranger's pull request: raises ValueError for every other place."""
+    path = (root / relative).resolve()
+    shape = (
+        list(Path(relative).parts[-3:-2]) == [baselines.FOLDER] and relative.endswith(".png") and "\\" not in relative
+    )
+    if not shape or not path.is_relative_to(root.resolve()):
+        raise ValueError(f"the report names a place that is none of baselines: {relative!r}")
+    return path
+
+
+def approve(report: Path, root: Path, entry: dict[str, Any], add: bool = False) -> Path:
+    """Make a candidate of a report a baseline under ``root``; returns where it lies.
+
+    add: beside the baseline of its renderer instead of in its place."""
+    source = inside(report, entry["candidate"])
+    if not re.fullmatch(r"[\w+-][\w+.\[\]-]*", entry["base"]):
+        raise ValueError(f"the report names no baseline: {entry['base']!r}")
+    folder = inside(root, f"{entry['folder']}/{entry['base']}.png").parent
+    if not folder.parent.parent.is_dir():
+        raise FileNotFoundError(
+            f"there is no folder {folder.parent.parent}: run this in the project's folder, or name it with --root"
+        )
+    with Image.open(source) as image:
+        image.verify()
+    path = baselines.target(folder, entry["base"], baselines.facts(source), entry["closest"], add)
+    baselines.write(path, baselines.read(source), baselines.facts(source))
+    return path

@@ -1,0 +1,1 @@
+"""Snapshot tests: what the rule sees, what the plugin does in whole runs."""
