@@ -29,8 +29,8 @@ LAMP = [-3.0, 5.0, 2.0]
 def box(x0, y0, z0, x1, y1, z1):
     """Six faces of four corners, anticlockwise seen from outside."""
     corner = [(x, y, z) for x in (x0, x1) for y in (y0, y1) for z in (z0, z1)]
-    faces = (0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)
-    return [[corner[k] for k in face] for face in faces]
+    faces = "0132", "4675", "0451", "2376", "0264", "1573"
+    return [[corner[int(k)] for k in face] for face in faces]
 
 
 GATE = [
