@@ -52,6 +52,8 @@ def edges(corners):
 
 
 screen = glsim.offscreen(720, 360, samples=4)
+glMatrixMode(GL_PROJECTION)
+glOrtho(-1.03, 1.03, -1.03, 1.03, -1, 1)  # the outer edges, too, are in the picture
 light()
 for column, draw in enumerate((polygon, edges)):
     glViewport(15 + 360 * column, 15, 330, 330)
