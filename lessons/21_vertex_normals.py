@@ -41,11 +41,9 @@ def vertex_normals(P, T, weight, crease=180):
         weights = np.repeat(np.linalg.norm(cross, axis=1)[:, None] / 2, 3, axis=1)
     else:
         weights = np.arccos(np.clip((to_next * to_last).sum(axis=2), -1, 1))
-    sums = np.zeros_like(P)
-    np.add.at(sums, T, weights[..., None] * face[:, None])
-    mean = unit(sums)[T]
-    sharp = (mean * face[:, None]).sum(axis=2) < np.cos(np.radians(crease))
-    return np.where(sharp[..., None], face[:, None], mean)
+    meet = T[:, :, None, None] == T  # corner c of triangle a is corner d of b
+    close = face @ face.T >= np.cos(np.radians(crease)) - 1e-9  # of a and b
+    return unit(np.einsum("acbd,ab,bd,bk->ack", meet, close, weights, face))
 
 
 # the corners of the box, and its triangles, anticlockwise seen from outside
@@ -77,13 +75,13 @@ def begin(eye, at=(0, 0, 0), aspect=1.0):
     gluPerspective(32, aspect, 1, 20)
     glMatrixMode(GL_MODELVIEW)
     glLoadIdentity()
-    glLightfv(GL_LIGHT0, GL_POSITION, [-0.5, 0.8, 1, 0])
+    glLightfv(GL_LIGHT0, GL_POSITION, [0.5, 0.8, 1, 0])
     gluLookAt(*eye, *at, 0, 1, 0)
     glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, [0.55, 0.65, 0.8, 1])
 
 
 screen = glsim.offscreen(720, 480, samples=4)
-begin((2.6, 2.2, 4.2), (-0.4, 0, 0), 720 / 480)
+begin((1.3, 1.7, 4.2), (-0.55, -0.1, 0), 720 / 480)
 glEnable(GL_POLYGON_OFFSET_FILL)
 glPolygonOffset(1, 1)  # so that the edges lie before the faces
 triangles(BOX, TRIANGLES, vertex_normals(BOX, TRIANGLES, "equal", crease=0))
@@ -134,11 +132,11 @@ glsim.source("scenes/mesh.py", "angles = np.arccos")
 # ## Edges that should stay: the crease angle
 #
 # A tin is round on the side and has an edge at the lid. One mean normal for all triangles at the rim makes the edge
-# look like a swollen cushion. So compare: where the mean is farther than the **crease angle** from the triangle's own
-# normal, keep the triangle's own.
+# look like a swollen cushion. So let only those triangles into the mean whose normal is within the **crease angle** of
+# the triangle's own. In the code above that is the matrix `close`.
 
 
-# %% One tin of 24 slices with three crease angles: 180°, all is smooth; 30°, a round side and sharp rims; 0°, all is flat
+# %% A tin of 24 slices; crease angle 180°: all is smooth; 30°: a round side, a sharp rim; 0°: all is flat
 def tin(slices=24):
     turn = np.arange(slices) * 2 * np.pi / slices
     x, z = np.cos(turn), np.sin(turn)
@@ -166,16 +164,19 @@ glsim.compare(
     size=290,
     samples=4,
     differences="off",
+    title="crease angle (degrees)",
 )
 
-# %%
-glsim.source("scenes/mesh.py", "sharp = np.einsum")
-
 # %% [markdown]
-# At 180° the lid is shaded as if it bulged, and the side darkens or brightens towards the rim: both borrow normals from
-# each other. At 30° the side is round, because there neighbours differ by $360° / 24 = 15°$ only, and the rim is sharp,
-# because its mean is about 45° and more from the side and from the lid. At 0° every triangle keeps its own normal: flat
-# shading.
+# At 180° the lid is shaded as if it bulged, and the side changes towards the rim: both borrow normals from each other.
+# At 30° the side is round, because there neighbours differ by $360° / 24 = 15°$ only, and the rim is sharp, because
+# side and lid differ by 90°. At 0° every face keeps its own normal: flat shading.
+#
+# For meshes without normals glsim has a simpler rule: one mean for all, and where that is too far from the triangle's
+# own normal, the triangle's own. On a tin with vertices at its rims only, that gives a sharp rim, but a faceted side:
+
+# %%
+glsim.source("scenes/mesh.py", "sharp = np.einsum", lines=2)
 
 
 # %% What the weights do to the tin that is all smooth: the plain mean and the areas twist the normals of the rim
@@ -194,6 +195,7 @@ glsim.compare(
     samples=4,
     differences="x4",
     reference="angle",
+    title="weights of the mean",
 )
 
 
@@ -215,8 +217,9 @@ for weight in ("equal", "area", "angle"):
 # ## Try this
 #
 # 1. Write `"7623"` as `"6237"`: the top is cut along its other diagonal. Which of the three normals move?
-# 2. Set the crease angles to `[60, 50, 40]`. Between which two does the rim become sharp?
-# 3. Set `tin(slices=24)` to `tin(slices=8)`, with the crease angle 30. Is the side still round? What is 360° / 8 / 2?
+# 2. Set the crease angles to `[100, 80, 10]`. Between which two does the rim become sharp, and what
+#    happens below 15°?
+# 3. Set `tin(slices=24)` to `tin(slices=8)`, with the crease angle 30. Is the side still round? What is 360° / 8?
 #
 # ## Questions
 #
