@@ -103,6 +103,7 @@ def tiled(interpolation):
 
 glsim.compare(
     tiled,
+    title="one quad",
     sweep={"interpolation": ["hyperbolic", "affine"]},
     columns="interpolation",
     modes="gouraud",
@@ -128,6 +129,7 @@ def in_strips(strips):
 
 glsim.compare(
     in_strips,
+    title="affine, in strips",
     sweep={"strips": [1, 4, 16]},
     columns="strips",
     modes="gouraud",
@@ -157,6 +159,7 @@ def shaded(interpolation):
 
 glsim.compare(
     shaded,
+    title="colours from 0.1 to 1",
     sweep={"interpolation": ["hyperbolic", "affine"]},
     columns="interpolation",
     modes="gouraud",
