@@ -1,129 +1,196 @@
 # %% [markdown]
-# # 19. Perspective: hyperbolic against affine interpolation
+# # 19. Perspective: hyperbolic and affine interpolation
 #
-# A road runs to the horizon. Halfway between its near and its far end *on the screen* one is not halfway down the road,
-# but much further. Whoever interpolates as if one were gets the wobbling floors of the first game consoles.
+# Colours, normals and texture coordinates are known at the vertices and interpolated between them. But where? A
+# rasteriser walks over the *screen* in equal steps, and equal steps on the screen are no equal steps on the surface:
+# perspective makes what is far away small.
 
 # %% [markdown]
 # ## Predict
 #
-# A checkerboard of 8 x 8 fields lies on the floor, as one square of two triangles. The texture coordinates are
-# interpolated linearly over the *screen*. How does the board look?
+# A fence runs away from you: it begins at a distance of 1 m and ends at 5 m. In your photograph, mark the point midway
+# between its two ends. Which part of the fence is there?
 #
-# - right, only less sharp
-# - bent along the diagonal where the triangles meet, and the far fields as long as the near ones
-# - mirrored
+# - its middle
+# - a point near its beginning: a sixth of its length
+# - a point near its end: five sixths of its length
 
-# %% Hyperbolic interpolation (right), and affine interpolation: linear on the screen
-import numpy as np
-
+# %% Where on the fence one is, over the place in the photograph: a hyperbola far below the straight line
 import glsim
-from glsim import plots
-from glsim.gl import *
-from glsim.glu import gluLookAt, gluPerspective
 
-
-def begin(width, height):
-    screen = glsim.offscreen(width, height, samples=4)
-    glClearColor(0.55, 0.68, 0.85, 1)
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-    y, x = np.mgrid[0:64, 0:64]
-    board = np.where(((x // 8 + y // 8) % 2)[..., None], [245, 240, 225], [60, 50, 55])
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 64, 64, 0, GL_RGB, GL_UNSIGNED_BYTE,
-                 board.astype(np.uint8))  # fmt: skip
-    glMatrixMode(GL_PROJECTION)
-    gluPerspective(50, 400 / 300, 0.1, 50)
-    glMatrixMode(GL_MODELVIEW)
-    gluLookAt(0, 1, 1.6, 0, 0, -2, 0, 1, 0)
-    return screen
-
-
-def floor(cuts=1):
-    """The board from z = 0 to -6, cut into cuts x cuts squares."""
-    glEnable(GL_TEXTURE_2D)
-    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE)
-    glBegin(GL_QUADS)
-    for i in range(cuts):
-        for j in range(cuts):
-            for a, b in ((0, 0), (1, 0), (1, 1), (0, 1)):
-                s, t = (i + a) / cuts, (j + b) / cuts
-                glTexCoord2f(s, t)
-                glVertex3f(-1.5 + 3 * s, 0, -6 * t)
-    glEnd()
-
-
-screen = begin(800, 300)
-for column, hint in enumerate((GL_AFFINE_GLSIM, GL_NICEST)):
-    glViewport(400 * column, 0, 400, 300)
-    glHint(GL_PERSPECTIVE_CORRECTION_HINT, hint)
-    floor()
-screen
+glsim.plots.interpolation((1, 5))
 
 # %% [markdown]
 # ## What you should see
 #
-# On the left the lines break at the diagonal, and the far fields are as long as the near ones, although they should
-# shrink. On the right they do. Both pictures have the same vertices and the same texture coordinates there.
-#
-# (No driver does the left one today. `GL_AFFINE_GLSIM` is glsim's own value for a hint that had this very meaning in 1992:
-# whether to correct for perspective, because the correction cost a division for each pixel.)
+# Midway in the picture ($s = 0.5$) only a sixth of the fence has gone by: $t = \frac16$. The near metre takes most of
+# the picture; the four far ones share the rest. Whoever interpolates along the straight line, in equal steps on the
+# screen, says "the middle of the fence" there, and is wrong by a third of its length.
 
 # %% [markdown]
 # ## The formula
 #
-# Let $s$ be the place between two vertices *on the screen*, in $[0, 1]$, and $w_1$, $w_2$ their distances from the eye.
-# Affine interpolation takes $(1 - s)\, a_1 + s\, a_2$. But the projection divides by $w$, and what is linear on the screen
-# is $a / w$ and $1 / w$. So interpolate these, and divide:
+# Let $w_1$ and $w_2$ be the distances of the two ends from the eye (the $w$ of clip space), $f_1$ and $f_2$ the values
+# there, $s \in [0, 1]$ the place between them on the screen.
 #
-# $$ a(s) = \frac{(1 - s)\, \dfrac{a_1}{w_1} + s\, \dfrac{a_2}{w_2}}{(1 - s)\, \dfrac{1}{w_1} + s\, \dfrac{1}{w_2}} $$
+# $$ f_\text{affine} = (1 - s)\, f_1 + s\, f_2 \qquad
+#    f_\text{hyperbolic} = \frac{(1 - s)\, f_1 / w_1 + s\, f_2 / w_2}{(1 - s) / w_1 + s / w_2} $$
 #
-# $a$ is anything that belongs to the vertices: a colour, a normal, a texture coordinate. The graph is a hyperbola, hence
-# the name. If $w_1 = w_2$, both formulas are the same.
+# The second one is exact: $f / w$ and $1 / w$ *are* linear on the screen, so interpolate these, and divide at each
+# pixel. With $f_1 = 0$, $f_2 = 1$, $w_1 = 1$, $w_2 = 5$, $s = \frac12$: $0.1 / (0.5 + 0.1) = \frac16$. In NumPy:
+
+# %%
+glsim.source("study/plots/curves.py", "t = s / w_2 / ((1.0 - s) / w_1 + s / w_2)")
+
+# %% [markdown]
+# Every card of today does that, and needs $w$ for it. An affine rasteriser does not know $w$. The vertex shader of
+# glsim imitates it: divided by $w$ beforehand, all vertices are equally far from the eye.
 
 # %%
 glsim.source("shaders/main.vert", "float w = AFFINE ? C.w : 1.0;", lines=2)
 
-# %% Place along an edge from distance 1 to distance 5: in the middle of the screen only a sixth of the way is done
-plots.interpolation((1, 5))
 
-# %% The same numbers by hand
-w_1, w_2, s = 1.0, 5.0, 0.5
-hyperbolic = (s * 1 / w_2) / ((1 - s) / w_1 + s / w_2)
-print(f"middle of the screen: affine {s:.3f}, hyperbolic {hyperbolic:.3f}")
+# %% A floor of tiles as one quad, hyperbolic and affine: affine tiles bend along the diagonal of the quad
+import numpy as np
 
-# %% The cheat of the consoles: cut the floor into 1, 2, 4 and 16 pieces, each interpolated affinely
-screen = begin(800, 600)
-glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_AFFINE_GLSIM)
-for k, cuts in enumerate((1, 2, 4, 16)):
-    glViewport(400 * (k % 2), 300 - 300 * (k // 2), 400, 300)
-    floor(cuts)
-screen
+from glsim.gl import *
+from glsim.glu import *
+
+HINTS = {"hyperbolic": GL_NICEST, "affine": GL_AFFINE_GLSIM}
+
+
+def camera():
+    glClearColor(0.12, 0.13, 0.17, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    gluPerspective(50, 1, 0.5, 50)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    gluLookAt(0, 1.5, 0, 0, 0.9, -2, 0, 1, 0)
+
+
+def tiles_texture():
+    tile = np.zeros((64, 64, 3), np.uint8)
+    tile[:] = (225, 200, 150)
+    tile[:32, :32] = tile[32:, 32:] = (60, 90, 130)
+    glTexImage2D(
+        GL_TEXTURE_2D, 0, GL_RGB, 64, 64, 0, GL_RGB, GL_UNSIGNED_BYTE, tile.tobytes()
+    )
+    for filter in (GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER):
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR)
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE)
+    glEnable(GL_TEXTURE_2D)
+
+
+def floor(strips=1):
+    """A floor from z = -2 to z = -10 in so many strips."""
+    for k in range(strips):
+        glBegin(GL_QUADS)
+        for x, row in ((-1.5, k), (1.5, k), (1.5, k + 1), (-1.5, k + 1)):
+            depth = 8 * row / strips
+            glTexCoord2f(x, depth / 2)
+            glVertex3f(x, 0, -2 - depth)
+        glEnd()
+
+
+def tiled(interpolation):
+    camera()
+    tiles_texture()
+    glHint(GL_PERSPECTIVE_CORRECTION_HINT, HINTS[interpolation])
+    floor()
+
+
+glsim.compare(
+    tiled,
+    title="one quad",
+    sweep={"interpolation": ["hyperbolic", "affine"]},
+    columns="interpolation",
+    modes="gouraud",
+    size=420,
+    samples=4,
+    differences="off",
+)
 
 # %% [markdown]
-# The smaller the piece, the nearer $w_1$ and $w_2$, and the smaller the error. Games cut walls into small pieces for this
-# reason alone.
+# In the affine picture the far rows are too long and the near ones too short, and the lines break at the diagonal:
+# each triangle has an affine map of its own, and the two agree along their common edge only. Games of the 1990s looked
+# like this, and swam when the camera moved. `glHint` chooses between the two in glsim; the name `GL_AFFINE_GLSIM` is an
+# extension for teaching, no OpenGL of today draws so.
+
+
+# %% The affine floor in 1, 4 and 16 strips: the smaller the polygons, the smaller the error
+def in_strips(strips):
+    camera()
+    tiles_texture()
+    glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_AFFINE_GLSIM)
+    floor(strips)
+
+
+glsim.compare(
+    in_strips,
+    title="affine, in strips",
+    sweep={"strips": [1, 4, 16]},
+    columns="strips",
+    modes="gouraud",
+    size=290,
+    samples=4,
+    differences="off",
+)
+
+# %% [markdown]
+# Cutting helps, because within a small polygon $w$ hardly changes, and with $w_1 = w_2$ the two formulas are the same.
 #
-# The same holds for Gouraud's *colours* and Phong's *normals*; there the error is seldom noticed, because colours change
-# slowly. The depth $z$ is the exception: the projection has made it linear on the screen already.
-#
-# > **The slide says** "it happens in screen space, so need to use hyperbolic interpolation". To be exact: the
-# > *rasteriser* works in screen space, and that is why it must interpolate $a/w$ and $1/w$ instead of $a$.
-#
+# > **The slide says** "it happens in screen space, so need to use hyperbolic interpolation". That holds for *all* that
+# > is interpolated: with textures everybody sees the error, but the colours of Gouraud shading and the normals of Phong
+# > shading suffer just the same.
+
+
+# %% Colours, too: a floor that goes from dark to bright, hyperbolic and affine, and the difference
+def shaded(interpolation):
+    camera()
+    glHint(GL_PERSPECTIVE_CORRECTION_HINT, HINTS[interpolation])
+    glBegin(GL_QUADS)
+    for x, z, grey in ((-1.5, -2, 0.1), (1.5, -2, 0.1), (1.5, -10, 1), (-1.5, -10, 1)):
+        glColor3f(grey, grey, grey)
+        glVertex3f(x, 0, z)
+    glEnd()
+
+
+glsim.compare(
+    shaded,
+    title="colours from 0.1 to 1",
+    sweep={"interpolation": ["hyperbolic", "affine"]},
+    columns="interpolation",
+    modes="gouraud",
+    size=290,
+    differences="x1",
+)
+
+# %% [markdown]
 # ## Try this
 #
-# 1. Look straight down at the board, `gluLookAt(0, 4, -3, 0, 0, -3.01, 0, 1, 0)`: is there a difference left?
-# 2. Draw the board with corner colours instead of a texture. Can you tell the two apart?
-# 3. `plots.interpolation((1, 50))`: where on the screen is the middle of a road to the horizon?
+# 1. Draw `glsim.plots.interpolation((4, 5))`. How far are the two curves apart now?
+# 2. In `floor` set both `1.5` to `0.2`. Can you still see the diagonal? And the error along the depth?
+# 3. Turn the floor into a wall that faces you: `glVertex3f(x, depth / 4, -4)`. Why are both pictures the same?
 #
 # ## Questions
 #
-# An edge runs from the distance 2 to the distance 6. Which part of it do the first 50 % on the screen show?
+# For which polygons does affine interpolation make no error?
 #
 # <details><summary>Answer</summary>
 #
-# $\dfrac{0.5 / 6}{0.5 / 2 + 0.5 / 6} = \dfrac{1}{4}$: a quarter of the edge, the near one.
+# For those whose vertices all have the same $w$: parallel to the image plane. And for all under an orthographic
+# projection, where $w = 1$ everywhere.
+#
+# </details>
+#
+# Why is the depth in the depth buffer interpolated linearly on the screen, without the division?
+#
+# <details><summary>Answer</summary>
+#
+# The depth of window coordinates has been divided by $w$ already: it is $a + b / w$ with constants $a$ and $b$, and
+# $1 / w$ is linear on the screen.
 #
 # </details>
 #

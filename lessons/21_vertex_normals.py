@@ -1,196 +1,246 @@
 # %% [markdown]
-# # 21. Where normals come from
+# # 21. Vertex normals
 #
-# A file with a mesh often holds points and triangles, and no normals. Each triangle knows its own. But smooth shading
-# wants one at each *vertex*, where five triangles meet, with five opinions. One takes the mean. The question is which.
+# A modeller gives you points and triangles. Smooth shading wants a normal at each point, and a corner of a polyhedron
+# has none: it has as many as triangles meet there. So we take a mean. But which one? And should the edge of a box be
+# smooth at all?
 
 # %% [markdown]
 # ## Predict
 #
-# A box is drawn from six quads; its corners get the mean of the normals of the faces that meet there, and Gouraud shading
-# does the rest. How does it look?
+# A box, twice as wide as it is high and deep, is made of triangles, two a face. At its near corner meet two triangles
+# of the top, one of the front and one of the side. A program takes the plain mean of the four unit normals. Where does
+# it point?
 #
-# - like a box
-# - like a box with soft, pillow-like shading, bright and dark flowing over its edges
-# - like a sphere
+# - evenly away from the three faces, like (1, 1, 1)
+# - too much upwards
+# - too much to the side, since that face is the smallest
 
-# %% A box with normals of its faces, and with the mean of the faces' normals at its corners
+# %% A box and three normals of its near corner: the plain mean (red), weighted with areas (yellow), with angles (green)
 import numpy as np
 
 import glsim
 from glsim.gl import *
-from glsim.glu import gluLookAt, gluPerspective
-
-CORNERS = np.array(
-    [(x, y, z) for x in (-1, 1) for y in (-0.6, 0.6) for z in (-1, 1)], float
-)
-FACES = [
-    (0, 1, 3, 2),
-    (4, 6, 7, 5),
-    (0, 4, 5, 1),
-    (2, 3, 7, 6),
-    (0, 2, 6, 4),
-    (1, 5, 7, 3),
-]
-
-
-def face_normal(face):
-    """The cross product of two edges, at a right angle to the face."""
-    a, b, c = CORNERS[list(face)[:3]]
-    return np.cross(b - a, c - a)
+from glsim.glu import *
 
 
 def unit(v):
-    return v / np.linalg.norm(v)
+    return v / np.linalg.norm(v, axis=-1, keepdims=True)
 
 
-def draw(normal_of):
-    glBegin(GL_QUADS)
-    for face in FACES:
-        for corner in face:
-            glNormal3fv(normal_of(face, corner))
-            glVertex3fv(CORNERS[corner])
+def vertex_normals(P, T, weight, crease=180):
+    """Normals (m, 3, 3) of all corners of the triangles T (m, 3) between points P."""
+    corner = P[T]
+    to_next = unit(np.roll(corner, -1, axis=1) - corner)
+    to_last = unit(np.roll(corner, 1, axis=1) - corner)
+    cross = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    face = unit(cross)
+    if weight == "equal":
+        weights = np.ones(T.shape)
+    elif weight == "area":
+        weights = np.repeat(np.linalg.norm(cross, axis=1)[:, None] / 2, 3, axis=1)
+    else:
+        weights = np.arccos(np.clip((to_next * to_last).sum(axis=2), -1, 1))
+    meet = T[:, :, None, None] == T  # corner c of triangle a is corner d of b
+    close = face @ face.T >= np.cos(np.radians(crease)) - 1e-9  # of a and b
+    return unit(np.einsum("acbd,ab,bd,bk->ack", meet, close, weights, face))
+
+
+# the corners of the box, and its triangles, anticlockwise seen from outside
+BOX = np.array([(x, y, z) for x in (-2, 0) for y in (-1, 0) for z in (-1, 0)], float)
+FACES = "0132", "6754", "0451", "7623", "0264", "5731"
+HALVES = (0, 1, 2), (0, 2, 3)
+TRIANGLES = np.array(
+    [[int(face[k]) for k in half] for face in FACES for half in HALVES]
+)
+NEAR = 7  # the corner (0, 0, 0)
+
+
+def triangles(P, T, N):
+    glBegin(GL_TRIANGLES)
+    for triangle, normals in zip(T, N):
+        for k in range(3):
+            glNormal3f(*normals[k])
+            glVertex3f(*P[triangle[k]])
     glEnd()
 
 
-def own(face, corner):
-    return unit(face_normal(face))
+def begin(eye, at=(0, 0, 0), aspect=1.0):
+    glClearColor(0.12, 0.13, 0.17, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
+        glEnable(capability)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    gluPerspective(32, aspect, 1, 20)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glLightfv(GL_LIGHT0, GL_POSITION, [0.5, 0.8, 1, 0])
+    gluLookAt(*eye, *at, 0, 1, 0)
+    glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, [0.55, 0.65, 0.8, 1])
 
 
-def mean(face, corner):
-    return unit(sum(unit(face_normal(f)) for f in FACES if corner in f))
-
-
-screen = glsim.offscreen(760, 320, samples=4)
-glClearColor(0.12, 0.13, 0.16, 1)
-glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-glEnable(GL_DEPTH_TEST)
-glEnable(GL_LIGHTING)
-glEnable(GL_LIGHT0)
-glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, [0.5, 0.65, 0.85, 1])
-glMatrixMode(GL_PROJECTION)
-gluPerspective(30, 380 / 320, 1, 20)
-glMatrixMode(GL_MODELVIEW)
-gluLookAt(3, 2.4, 4.4, 0, 0, 0, 0, 1, 0)
-glLightfv(GL_LIGHT0, GL_POSITION, [1, 3, 2, 0])
-for column, normal_of in enumerate((own, mean)):
-    glViewport(380 * column, 0, 380, 320)
-    draw(normal_of)
+screen = glsim.offscreen(720, 480, samples=4)
+begin((1.3, 1.7, 4.2), (-0.55, -0.1, 0), 720 / 480)
+glEnable(GL_POLYGON_OFFSET_FILL)
+glPolygonOffset(1, 1)  # so that the edges lie before the faces
+triangles(BOX, TRIANGLES, vertex_normals(BOX, TRIANGLES, "equal", crease=0))
+glDisable(GL_LIGHTING)
+glPolygonMode(GL_FRONT_AND_BACK, GL_LINE)
+glColor3f(0.1, 0.12, 0.2)
+triangles(BOX, TRIANGLES, np.zeros((12, 3, 3)))
+glLineWidth(4)
+corner = TRIANGLES == NEAR
+for weight, color in (
+    ("equal", (1, 0.35, 0.25)),
+    ("area", (1, 0.85, 0.2)),
+    ("angle", (0.3, 0.95, 0.4)),
+):
+    N = vertex_normals(BOX, TRIANGLES, weight)[corner][0]
+    print(f"{weight:6} {(N / N.min()).round(2)}")  # in units of the smallest part
+    glColor3f(*color)
+    glBegin(GL_LINES)
+    glVertex3f(*BOX[NEAR])
+    glVertex3f(*(0.9 * N))
+    glEnd()
 screen
 
 # %% [markdown]
 # ## What you should see
 #
-# On the right the box has become a pillow. The mean makes the surface look round where it meets others, which is what one
-# wants on a sphere and does not want on a box. A vertex of a real edge needs *several* normals, one for each face.
+# The plain mean (red) is $(1, 2, 1)$: too much upwards, only because the diagonal of the top happens to end in this
+# corner. Cut the top along its other diagonal, and the shading of the box changes although its shape does not. Weighted
+# with areas (yellow) the normal leans too: large faces win. Weighted with **angles** (green) it is $(1, 1, 1)$: each
+# face has 90° at the corner, and two triangles of 26.6° and 63.4° count as much as one of 90°.
 
 # %% [markdown]
 # ## The formula
 #
-# The normal of a triangle with the corners $a, b, c$ is the cross product of two edges, and its length is twice the
-# triangle's area. At a vertex the normals $\mathbf{n}_k$ of its faces are averaged with weights:
+# $$ \mathbf{N} = \frac{\sum_k w_k\, \mathbf{n}_k}{\big| \sum_k w_k\, \mathbf{n}_k \big|}, \qquad
+#    w_k = \begin{cases} 1 & \text{plain mean} \\ \text{the triangle's area} \\ \text{its angle at the vertex}
+#    \end{cases} $$
 #
-# $$ \mathbf{N} = \frac{\sum_k w_k \mathbf{n}_k}{\left| \sum_k w_k \mathbf{n}_k \right|}, \qquad w_k = 1 \;\text{ or the area}\; A_k \;\text{ or
-# the angle}\; \alpha_k $$
-#
-# $\mathbf{n}_k$ are unit vectors, $A_k$ is the area of the face, $\alpha_k$ its angle at this vertex (radians). Weighting by
-# **area** is the cheapest: one adds the cross products as they are. Weighting by **angle** does not depend on how flat
-# regions are cut into triangles.
+# $\mathbf{n}_k$: unit normals of the triangles that meet at the vertex. The angle between the edges $\mathbf{e}$ and
+# $\mathbf{f}$ is $\arccos(\mathbf{e} \cdot \mathbf{f})$ for unit vectors (radians). Areas are the cheapest: the cross
+# product $\mathbf{e} \times \mathbf{f}$ of the unscaled edges is already as long as twice the area. Angles alone do not
+# depend on how a face is cut. It is what glsim does with a mesh that comes without normals:
 
 # %%
-glsim.source("scenes/mesh.py", "angles = np.arccos(", lines=3)
-
-
-# %% The corner of a box whose top is cut into many triangles there: the three means, and the true direction (1, 1, 1)
-def corner_normal(weight, slices=8):
-    """The mean at a corner of a cube whose top is a fan of thin triangles around it."""
-    total = np.zeros(3)
-    for n in (
-        (1, 0, 0),
-        (0, 0, 1),
-    ):  # the two sides: one triangle each, with 90 degrees
-        total += weight(0.5, np.pi / 2) * np.array(n, float)
-    for _ in range(slices):
-        angle = np.pi / 2 / slices
-        total += weight(0.5 * np.sin(angle), angle) * np.array((0.0, 1.0, 0.0))
-    return unit(total)
-
-
-ways = {"all alike": lambda area, angle: 1, "by area": lambda area, angle: area,
-        "by angle": lambda area, angle: angle}  # fmt: skip
-for name, weight in ways.items():
-    N = corner_normal(weight)
-    off = np.degrees(np.arccos(np.clip(N @ unit(np.ones(3)), -1, 1)))
-    print(f"{name:10} {N.round(3)}   off by {off:4.1f} degrees")
+glsim.source("scenes/mesh.py", "angles = np.arccos")
 
 # %% [markdown]
-# Only the angle does not care into how many triangles the top was cut. (Thürmer and Wüthrich, 1998.)
+# ## Edges that should stay: the crease angle
 #
-# A mesh that has both smooth and sharp places needs a **crease angle**: faces whose normals differ by less are averaged,
-# across larger angles each side keeps its own normal. Here it is on a cylinder:
-
-# %% A cylinder: crease angle 0 (all edges hard), 40 degrees, and 180 (all smooth, with a wrong rim)
-SIDES = 16
-RIM = [(np.cos(t), np.sin(t)) for t in np.linspace(0, 2 * np.pi, SIDES, endpoint=False)]
+# A tin is round on the side and has an edge at the lid. One mean normal for all triangles at the rim makes the edge
+# look like a swollen cushion. So let only those triangles into the mean whose normal is within the **crease angle** of
+# the triangle's own. In the code above that is the matrix `close`.
 
 
-def cylinder(crease):
-    """Faces of a cylinder with normals that are averaged up to the crease angle."""
-    points = np.array([(x, h, -z) for h in (-0.7, 0.7) for x, z in RIM])
-    sides = [
-        (k, (k + 1) % SIDES, SIDES + (k + 1) % SIDES, SIDES + k) for k in range(SIDES)
-    ]
-    faces = [*sides, tuple(range(SIDES, 2 * SIDES)), tuple(range(SIDES - 1, -1, -1))]
-    normals = [
-        unit(np.cross(points[f[1]] - points[f[0]], points[f[2]] - points[f[1]]))
-        for f in faces
-    ]
-    limit = np.cos(np.radians(crease)) - 1e-9
-    for face, n in zip(faces, normals):
-        glBegin(GL_POLYGON)
-        for corner in face:
-            around = [m for f, m in zip(faces, normals) if corner in f]
-            near = [m for m in around if m @ n > limit]
-            glNormal3fv(unit(np.sum(near, axis=0)))
-            glVertex3fv(points[corner])
-        glEnd()
+# %% A tin of 24 slices; crease angle 180°: all is smooth; 30°: a round side, a sharp rim; 0°: all is flat
+def tin(slices=24):
+    turn = np.arange(slices) * 2 * np.pi / slices
+    x, z = np.cos(turn), np.sin(turn)
+    rings = [np.stack([x, np.full(slices, y), z], axis=1) for y in (-0.8, 0.8)]
+    P = np.concatenate([*rings, [(0, 0.8, 0)]])
+    T = []
+    for k in range(slices):
+        a, b = k, (k + 1) % slices
+        T += [(a, a + slices, b), (b, a + slices, b + slices)]  # the side
+        T += [(2 * slices, b + slices, a + slices)]  # the lid
+    return P, np.array(T)
 
 
-screen = glsim.offscreen(840, 280, samples=4)
-glClearColor(0.12, 0.13, 0.16, 1)
-glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-glEnable(GL_DEPTH_TEST)
-glEnable(GL_LIGHTING)
-glEnable(GL_LIGHT0)
-glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, [0.85, 0.6, 0.3, 1])
-glMatrixMode(GL_PROJECTION)
-gluPerspective(30, 1, 1, 20)
-glMatrixMode(GL_MODELVIEW)
-gluLookAt(1.5, 2.6, 4.2, 0, 0, 0, 0, 1, 0)
-glLightfv(GL_LIGHT0, GL_POSITION, [-2, 3, 3, 0])
-for column, crease in enumerate((0, 40, 180)):
-    glViewport(280 * column, 0, 280, 280)
-    cylinder(crease)
-screen
+def draw_tin(crease):
+    begin((0, 3.0, 5.2))
+    P, T = tin()
+    triangles(P, T, vertex_normals(P, T, "angle", crease))
+
+
+glsim.compare(
+    draw_tin,
+    sweep={"crease": [180, 30, 0]},
+    columns="crease",
+    modes="gouraud",
+    size=290,
+    samples=4,
+    differences="off",
+    title="crease angle (degrees)",
+)
 
 # %% [markdown]
+# At 180° the lid is shaded as if it bulged, and the side changes towards the rim: both borrow normals from each other.
+# At 30° the side is round, because there neighbours differ by $360° / 24 = 15°$ only, and the rim is sharp, because
+# side and lid differ by 90°. At 0° every face keeps its own normal: flat shading.
+#
+# For meshes without normals glsim has a simpler rule: one mean for all, and where that is too far from the triangle's
+# own normal, the triangle's own. On a tin with vertices at its rims only, that gives a sharp rim, but a faceted side:
+
+# %%
+glsim.source("scenes/mesh.py", "sharp = np.einsum", lines=2)
+
+
+# %% What the weights do to the tin that is all smooth: the plain mean and the areas twist the normals of the rim
+def draw_weighted(weight):
+    begin((0, 3.0, 5.2))
+    P, T = tin(10)
+    triangles(P, T, vertex_normals(P, T, weight))
+
+
+glsim.compare(
+    draw_weighted,
+    sweep={"weight": ["equal", "area", "angle"]},
+    columns="weight",
+    modes="phong",
+    size=290,
+    samples=4,
+    differences="x4",
+    reference="angle",
+    title="weights of the mean",
+)
+
+
+# %% How far the normals of the rim point away from the axis's plane, in degrees: 0 by symmetry
+P, T = tin(10)
+for weight in ("equal", "area", "angle"):
+    N = vertex_normals(P, T, weight)
+    rim = (T >= 10) & (T < 20)
+    out = P[T][rim] * [1, 0, 1]  # the direction from the axis, of length 1
+    flat = unit(N[rim] * [1, 0, 1])
+    twist = np.degrees(np.arccos(np.clip((flat * out).sum(axis=1), -1, 1)))
+    print(f"{weight:6} {twist.max():.2f}")
+
+# %% [markdown]
+# By symmetry the normal at the rim must lie in the plane of the axis. Each side of the tin is a rectangle cut along a
+# diagonal, so at a vertex one neighbour counts with two triangles and the other with one: the plain mean is twisted
+# to the side where there are more. Two triangles of a rectangle share its 90°, so angles have no preference.
+#
 # ## Try this
 #
-# 1. Leave `unit` out of `mean`: the faces' normals then count by their area. Which face of the box wins?
-# 2. Cylinder with `SIDES = 6` and the crease 40: it is flat. From which angle on is it smooth, and why that one?
-# 3. Reverse the corners of one face. What does its normal do to its neighbours?
+# 1. Write `"7623"` as `"6237"`: the top is cut along its other diagonal. Which of the three normals move?
+# 2. Set the crease angles to `[100, 80, 10]`. Between which two does the rim become sharp, and what
+#    happens below 15°?
+# 3. Set `tin(slices=24)` to `tin(slices=8)`, with the crease angle 30. Is the side still round? What is 360° / 8?
 #
 # ## Questions
 #
-# Why do modelling programs write *several* normals for one point into a file?
+# A mesh has each vertex three times, once for each triangle (as STL files do). What does `vertex_normals` give?
 #
 # <details><summary>Answer</summary>
 #
-# A hard edge needs one for each side of it, and OpenGL takes the normal that is current when the vertex comes. In an
-# indexed mesh such a point becomes several vertices, with one position and different normals.
+# Flat shading: no two triangles share a number, so no mean has more than one term. First find the points that are
+# equal and give them one number.
+#
+# </details>
+#
+# Why can no crease angle be right for all models?
+#
+# <details><summary>Answer</summary>
+#
+# The edges of a coarse ball of eight slices differ by 45°, those of a cut gem by less. Only the modeller knows which
+# of them are meant. Formats that carry normals (OBJ, glTF) let the modeller say so.
 #
 # </details>
 #
 # ## Exercise
 #
-# Exercise 17: vertex normals by area, by angle, and with a crease.
+# Exercise 17: vertex normals.
