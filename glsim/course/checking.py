@@ -20,12 +20,13 @@ from glsim.metrics import same_sign_blocks
 
 @dataclass(frozen=True)
 class Result:
-    """The marks of a file, one for each part of the exercise."""
+    """The marks of a file, one for each part of the exercise.  isolation: the name of that in which the file ran."""
 
     exercise: Exercise
     marks: tuple[Mark, ...]
     printed: str = ""
     note: str = ""
+    isolation: str = Separate.name
 
     @cached_property
     def points(self) -> int:
@@ -40,16 +41,17 @@ def check(exercise: Exercise, file: Path, isolation: Isolation | None = None, se
     """Judge a student's file.  isolation: none for the student's own machine.  seconds: that the file may run.
 
     Raises FileNotFoundError if there is no such file."""
-    return judged(exercise, ask(exercise, file, isolation or Separate(), seconds))
+    isolation = isolation or Separate()
+    return judged(exercise, ask(exercise, file, isolation, seconds), isolation.name)
 
 
-def judged(exercise: Exercise, answers: Answers) -> Result:
-    """The marks for a file's answers."""
+def judged(exercise: Exercise, answers: Answers, isolation: str = Separate.name) -> Result:
+    """The marks for a file's answers.  isolation: the name of that in which the file ran."""
     marks = tuple(
         _judge(exercise, part, answer, answers)
         for part, answer in zip(exercise.definition.parts, answers.values, strict=True)
     )
-    return Result(exercise, marks, answers.printed, answers.note)
+    return Result(exercise, marks, answers.printed, answers.note, isolation)
 
 
 def _judge(exercise: Exercise, part: Part, answer: dict[str, object], answers: Answers) -> Mark:
