@@ -71,7 +71,7 @@ def test_marks_are_the_same_with_any_number_of_processes(handed_in: Path, tmp_pa
     assert "ended its process" in marks["-j"]["note"]
     assert "no zip archive" in marks["broken.zip"]["note"]
     assert {mark["isolation"] for s in document["submissions"] for mark in s["marks"] if mark["file"]} <= {
-        "bubblewrap", "Landlock", "limits", "not isolated",
+        "bubblewrap", "Landlock", "resource limits", "not isolated",
     }  # fmt: skip
     nothing_of_a_solution(tmp_path)
 
