@@ -1,165 +1,204 @@
 # %% [markdown]
 # # 4. Light sources
 #
-# Suns, bulbs, screens, fireflies: real lamps have sizes, shapes and moods. A renderer of the nineties knew three kinds,
-# and all three are infinitely small. That is less of a loss than it sounds, for one reason: light adds up.
+# The sun, a bulb, a tube, a monitor: real lamps are complicated. OpenGL knows three that fit into a few numbers: a
+# point, a direction, and a point with a lampshade. And one law makes it possible to use many: light adds up.
 
 # %% [markdown]
 # ## Predict
 #
-# A floor of tiles is lit by a lamp far away, and then by a lamp close above its middle, both equally strong. How do the
-# two pictures differ?
+# Three spotlights shine on a white wall in the dark: one red, one green, one blue. Their circles overlap. Which colour
+# has the place where all three meet?
 #
-# - not at all, if the strength is the same
-# - the near lamp makes a bright spot that fades outwards, the far one lights all tiles alike
-# - the near lamp is brighter everywhere
+# - nearly black, as if three paints were mixed
+# - a muddy brown
+# - white
 
-# %% A floor under a directional light, a point light and a spotlight
+# %% A red, a green and a blue spotlight on a white wall
 import numpy as np
 
 import glsim
 from glsim.gl import *
-from glsim.glu import gluLookAt, gluPerspective
-from glsim.glut import glutSolidSphere
+
+COLORS = {"red": [1, 0, 0, 1], "green": [0, 1, 0, 1], "blue": [0, 0, 1, 1]}
+PLACES = {"red": (-0.45, 0.25), "green": (0.45, 0.25), "blue": (0, -0.5)}
 
 
-def scene():
-    for x in range(-4, 4):
-        for z in range(-4, 4):
-            shade = 0.9 if (x + z) % 2 else 0.7
-            glMaterialfv(
-                GL_FRONT, GL_AMBIENT_AND_DIFFUSE, [shade, shade, 0.95 * shade, 1]
-            )
-            glNormal3f(0, 1, 0)
-            glBegin(GL_QUADS)
-            for dx, dz in ((0, 1), (1, 1), (1, 0), (0, 0)):
-                glVertex3f(x + dx, 0, z + dz)
-            glEnd()
-    glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, [0.8, 0.3, 0.15, 1])
-    for x, z in ((-1.5, -1), (1.5, -1), (0, 1.2)):
-        glPushMatrix()
-        glTranslatef(x, 0.6, z)
-        glutSolidSphere(0.6, 48, 32)
-        glPopMatrix()
+def wall():
+    glNormal3f(0, 0, 1)
+    glRectf(-2, -2, 2, 2)
 
 
-def begin(width, height, aspect):
-    screen = glsim.offscreen(width, height, samples=4)
-    glClearColor(0.07, 0.08, 0.1, 1)
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-    glEnable(GL_DEPTH_TEST)
-    glEnable(GL_LIGHTING)
-    glEnable(GL_LIGHT0)
-    glShadeModel(GL_PHONG_WIN)
-    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, [0.05, 0.05, 0.06, 1])
+def shine(*names):
+    glClearColor(0, 0, 0, 1)
+    glClear(GL_COLOR_BUFFER_BIT)
     glMatrixMode(GL_PROJECTION)
-    gluPerspective(40, aspect, 1, 30)
+    glLoadIdentity()
+    glOrtho(-1.6, 1.6, -1.6, 1.6, 0, 10)
     glMatrixMode(GL_MODELVIEW)
-    gluLookAt(0, 5.5, 7.5, 0, 0, 0, 0, 1, 0)
-    return screen
+    glLoadIdentity()
+    glTranslatef(0, 0, -5)
+    glEnable(GL_LIGHTING)
+    glShadeModel(GL_PHONG_WIN)
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, [0, 0, 0, 1])
+    glMaterialfv(GL_FRONT, GL_AMBIENT, [0, 0, 0, 1])
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, [1, 1, 1, 1])
+    for number, name in enumerate(names):
+        light = GL_LIGHT0 + number
+        glEnable(light)
+        glLightfv(light, GL_DIFFUSE, COLORS[name])
+        glLightfv(light, GL_POSITION, [*PLACES[name], 4, 1])
+        glLightfv(light, GL_SPOT_DIRECTION, [0, 0, -1])
+        glLightf(light, GL_SPOT_CUTOFF, 12)
+    wall()
 
 
-screen = begin(900, 300, 1)
-for column, kind in enumerate(("directional", "point", "spot")):
-    glViewport(300 * column, 0, 300, 300)
-    w = 0 if kind == "directional" else 1
-    glLightfv(GL_LIGHT0, GL_POSITION, [0.3, 2.2, 0.5, w])
-    if kind == "spot":
-        glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, [-0.1, -1, -0.2])
-        glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 45)
-        glLightf(GL_LIGHT0, GL_SPOT_EXPONENT, 6)
-    scene()
+screen = glsim.offscreen(560, 560, samples=4)
+shine("red", "green", "blue")
 screen
 
 # %% [markdown]
 # ## What you should see
 #
-# Left the light comes from far away: parallel rays, every tile has the same angle to them and the same brightness. In
-# the middle the lamp hangs 2.2 above the floor: straight below it the rays fall steeply, further out they graze. (The
-# distance itself has no effect yet: lesson 23.) On the right a cone lets only a part out, brightest along its axis.
+# White in the middle; yellow, cyan and magenta where two circles meet. Paint takes light away, lamps add it. Each light
+# gives its share to each channel, and no light knows of the others. That is **superposition**.
+#
+# It is not a trick of OpenGL: rays of light do not disturb each other. So the picture under three lamps is the *sum* of
+# the three pictures under one. Is it? Draw them one by one, and add:
+
+# %% The largest difference between the picture under three lights and the sum of three pictures, printed
+together = np.array(screen.image())[..., :3].astype(int)
+total = np.zeros_like(together)
+for name in COLORS:
+    alone = glsim.offscreen(560, 560, samples=4)
+    shine(name)
+    total += np.array(alone.image())[..., :3]
+print("largest difference:", np.abs(together - total).max(), "of 255")
 
 # %% [markdown]
 # ## The formula
 #
-# All that the equation needs of a light is a unit vector $\mathbf{L}$ towards it and its intensity $I_L$ at the point $P$:
+# $$ I = \sum_i s_i \, k_d \, I_{L,i} \, (\mathbf{N} \cdot \mathbf{L}_i) $$
 #
-# $$ \text{point: } \mathbf{L} = \frac{Q - P}{|Q - P|} \qquad \text{directional: } \mathbf{L} = \text{constant} \qquad \text{spot:
-# } I_L \leftarrow I_L\, (-\mathbf{L} \cdot \mathbf{D})^e $$
+# $I_{L,i}$ is the intensity of light $i$, an RGB triple; the equation is evaluated for each channel separately.
+# $\mathbf{L}_i$ is the unit vector from the surface to the light, $\mathbf{N}$ the unit normal, $k_d \in [0, 1]$ the
+# diffuse reflectance, and negative $\mathbf{N} \cdot \mathbf{L}_i$ count as 0. $s_i \in [0, 1]$ is how much of the light
+# gets here: 1 for a directional light. The three kinds of light differ in two things only, $\mathbf{L}$ and $s$:
 #
-# $Q$ is the position of the lamp, $\mathbf{D}$ the unit vector of the spot's axis, $e \ge 0$ its exponent; outside of the
-# cone, where the angle to the axis exceeds the cutoff, $I_L = 0$. A point light is **isotropic**: the same in all
-# directions. OpenGL tells the kinds apart by the fourth number of `GL_POSITION`: $w = 1$ is a point, $w = 0$ a direction.
+# | light | in OpenGL | $\mathbf{L}$ at the point $\mathbf{P}$ |
+# | --- | --- | --- |
+# | directional | position $(x, y, z, 0)$ | $(x, y, z)$, made unit length: the same everywhere |
+# | point, isotropic | position $(x, y, z, 1)$ | from $\mathbf{P}$ to the position, made unit length |
+# | spot | a point with a cutoff below 90° | as for a point; $s = 0$ outside the cone |
+#
+# Inside the cone $s = (-\mathbf{L} \cdot \mathbf{D})^e$ with the spot's direction $\mathbf{D}$ and exponent $e$.
 
 # %%
-glsim.source("shaders/light.glsl", "if (LIGHT_IS_POSITIONAL[i]) {", lines=6)
+glsim.source("shaders/light.glsl", "L -= P;", lines=3)
 
-
-# %% The same three lights, seen from outside: arrows for a direction, a star for a point, a cone for a spot
-def three_lights():
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-    glEnable(GL_DEPTH_TEST)
-    glEnable(GL_LIGHTING)
-    glMatrixMode(GL_PROJECTION)
-    gluPerspective(40, 1, 3, 14)
-    glMatrixMode(GL_MODELVIEW)
-    gluLookAt(0, 5.5, 7.5, 0, 0, 0, 0, 1, 0)
-    positions = ([-3, 2, 0, 0], [-1.5, 2.4, 1.5, 1], [1.8, 3, 0, 1])
-    for k, position in enumerate(positions):
-        glEnable(GL_LIGHT0 + k)
-        glLightfv(GL_LIGHT0 + k, GL_DIFFUSE, [0.4, 0.4, 0.4, 1])
-        glLightfv(GL_LIGHT0 + k, GL_POSITION, position)
-    glLightfv(GL_LIGHT2, GL_SPOT_DIRECTION, [0, -1, 0])
-    glLightf(GL_LIGHT2, GL_SPOT_CUTOFF, 25)
-    scene()
-
-
-glsim.outside(three_lights)
+# %%
+glsim.source("shaders/light.glsl", "float spotlight(Light light, vec3 L)", lines=6)
 
 # %% [markdown]
-# **Superposition.** Two lamps light a scene as each alone would, added up, pixel by pixel and channel by channel. It is
-# the reason why the illumination equation is a sum over lights.
+# ## Three kinds, one scene
+#
+# Only the light changes: from a direction, from a point above the middle, from the same point with a lampshade.
 
-# %% Light 0 alone, light 1 alone, and both: the third picture is the sum of the first two
-screen = begin(900, 300, 1)
-glLightModelfv(GL_LIGHT_MODEL_AMBIENT, [0, 0, 0, 1])
-lamps = {
-    GL_LIGHT0: ([-3, 2, 1, 1], [0.6, 0.45, 0.1, 1]),
-    GL_LIGHT1: ([3, 2, 1, 1], [0.1, 0.2, 0.6, 1]),
-}
-for light, (position, color) in lamps.items():
-    glLightfv(light, GL_POSITION, position)
-    glLightfv(light, GL_DIFFUSE, color)
-    glLightfv(light, GL_SPECULAR, [0, 0, 0, 1])
-glClearColor(0, 0, 0, 1)
-glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-for column, on in enumerate(((GL_LIGHT0,), (GL_LIGHT1,), (GL_LIGHT0, GL_LIGHT1))):
-    glViewport(300 * column, 0, 300, 300)
-    for light in lamps:
-        (glEnable if light in on else glDisable)(light)
-    scene()
-pixels = screen.pixels()[..., :3].astype(int)
-first, second, both = np.split(pixels, 3, axis=1)
-print("largest difference of the sum:", np.abs(first + second - both).max(), "of 255")
-screen
+# %% Balls on a floor under a directional light, a point light and a spotlight
+from glsim.glu import gluLookAt, gluPerspective
+from glsim.glut import glutSolidSphere
+
+
+def balls(light):
+    glClearColor(0.03, 0.03, 0.04, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    gluPerspective(35, 1, 1, 30)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    gluLookAt(0, 5, 7, 0, 0, 0, 0, 1, 0)
+    for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
+        glEnable(capability)
+    glShadeModel(GL_PHONG_WIN)
+    glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, [0.7, 0.62, 0.48, 1])
+    if light == "directional":
+        glLightfv(GL_LIGHT0, GL_POSITION, [0, 1, 0, 0])
+    else:
+        glLightfv(GL_LIGHT0, GL_POSITION, [0, 2.2, 0, 1])
+    if light == "spot":
+        glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, [0, -1, 0])
+        glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 50)
+        glLightf(GL_LIGHT0, GL_SPOT_EXPONENT, 2)
+    glNormal3f(0, 1, 0)
+    glBegin(GL_QUADS)
+    for x, z in ((-3, 3), (3, 3), (3, -3), (-3, -3)):
+        glVertex3f(x, 0, z)
+    glEnd()
+    for x, z in ((-1.3, 1.3), (1.3, 1.3), (1.3, -1.3), (-1.3, -1.3)):
+        glPushMatrix()
+        glTranslatef(x, 0.5, z)
+        glutSolidSphere(0.5, 40, 40)
+        glPopMatrix()
+
+
+glsim.compare(
+    balls,
+    sweep={"light": ["directional", "point", "spot"]},
+    modes="phong",
+    lobes="blinn",
+    columns="light",
+    size=300,
+    samples=4,
+    differences="off",
+    title="Three kinds of light",
+)
+
+# %% [markdown]
+# Directional: the floor is even, and all four balls are lit alike, from above. Point: the floor is brightest under the
+# lamp and each ball is bright on the side that faces it. Spot: beyond 50° from the axis there is only the glow. Nobody
+# casts a shadow: that is for lesson 22.
+
+# %% The same spotlight from outside: its cone, the floor, the eye
+glsim.outside(lambda: balls("spot"))
+
+# %% The spotlight's factor for four exponents and a cutoff of 30°
+glsim.plots.spot()
+
+# %% [markdown]
+# > **The slide says** that a point light "emits light equally in all directions". From that it follows that its light
+# > thins out with the square of the distance, as the same power crosses larger and larger spheres. OpenGL does that only
+# > on request (`GL_QUADRATIC_ATTENUATION`); in the figures above only the angle changes. Lesson 23 adds the distance.
 
 # %% [markdown]
 # ## Try this
 #
-# 1. Lift the point light to 22: `[3, 22, 5, 1]`. Which of the other two does it approach?
-# 2. `GL_SPOT_CUTOFF` 10, then 90. And 120: what does the call say?
-# 3. Make both lamps of the last figure twice as bright. Is the third picture still the sum, and if not, where?
-#
+# 1. Make the red light in `COLORS` orange: `[1, 0.6, 0, 1]`. Now the sum of the pictures is no longer the picture of
+#    the sum. Where not, and in which channel?
+# 2. In `balls`, set `GL_SPOT_CUTOFF` to 30. Which balls are still lit?
+# 3. Set the position of the point light, which the spot shares, to `[0, 200, 0, 1]`. Which of the three pictures does it look like now?
+
+# %% [markdown]
 # ## Questions
 #
-# Why is it enough to know how a surface looks in red, in green and in blue light to know it in any light of the screen?
+# When is the picture under two lights *not* the sum of the two pictures?
 #
 # <details><summary>Answer</summary>
 #
-# Superposition once more: every such light is a sum of red, green and blue light, and the picture is the sum of the three
-# pictures, each scaled.
+# Where a channel of the sum is above 1: the screen clamps it. (And if the ambient glow of the scene, which belongs to no
+# light, is in both pictures: then it is counted twice.)
+#
+# </details>
+#
+# Can a directional light be a spotlight?
+#
+# <details><summary>Answer</summary>
+#
+# Not in a useful way. It has no place from which a cone could begin. OpenGL takes the direction for $L$, and the factor
+# is then the same everywhere.
 #
 # </details>
 #
 # ## Exercise
 #
-# Exercise 19: attenuation and spots.
+# Exercise 19: attenuation and the spotlight.

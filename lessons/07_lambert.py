@@ -56,12 +56,65 @@ glsim.source("shaders/light.glsl", "color += strength * face.k_d.rgb")
 glsim.source("shading/terms.py", "def lambert", lines=3)
 
 # %% [markdown]
+# ## The proof
+#
+# Why the cosine, and no other curve? Because of a right-angled triangle.
+
+# %% A beam of one width lights a longer footprint the flatter it falls
+glsim.plots.cosine_law()
+
+# %% [markdown]
+# A beam has the width $w$ and carries some power per metre of depth. Where it falls straight, it lights a strip of width
+# $w$. Where it falls at the angle $\theta$, the strip on the surface is the hypotenuse of a triangle in which $w$ is the
+# side next to $\theta$:
+#
+# $$ \cos\theta = \frac{w}{w'} \quad\Rightarrow\quad w' = \frac{w}{\cos\theta} $$
+#
+# The same power on $1/\cos\theta$ times the area: each square metre gets $\cos\theta$ of what it got before. At 60° the
+# strip is twice as wide, so the light is half. That is the whole proof.
+#
+# The material plays no part in it: the cosine is about light that *arrives*. Lambert's second assumption is about the
+# light that *leaves*: it looks equally bright from everywhere.
+
+# %% Lambert's law as a curve, clamped where the light is behind the surface
+glsim.plots.lambert()
+
+# %% [markdown]
+# ## On a ball
+#
+# A ball has every normal, so it shows the whole curve at once: bright where $N$ points along $L$, black from 90° on.
+
+# %% N and L at one point of a ball, with the angle between them
+from glsim.glut import glutSolidSphere
+
+
+def ball():
+    glClearColor(0.1, 0.11, 0.14, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
+        glEnable(capability)
+    glShadeModel(GL_PHONG_WIN)
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, [0, 0, 0, 1])
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, [0.9, 0.9, 0.85, 1])
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glOrtho(-1, 1, -1, 1, -1, 1)  # else z would grow away from the eye
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glLightfv(GL_LIGHT0, GL_POSITION, [-1, 1, 1.2, 0])
+    glutSolidSphere(0.8, 60, 60)
+
+
+glsim.vectors(ball, 300, 170)
+
+# %% [markdown]
 # ## Try this
 #
 # 1. Set the light's direction to `[0, 1, 1, 0]`. Which square is the brightest now?
 # 2. Set `glNormal3f(0, 0, 1)` to `glNormal3f(0, 0, 2)`. The picture changes. Should it?
 # 3. Move `w` of the position from 0 to 1. Why is a square no longer uniform, or why does it stay so?
-#
+
+# %% [markdown]
 # ## Questions
 #
 # At which angle has a surface lost 1 % of its brightness?

@@ -7,51 +7,76 @@
 # %% [markdown]
 # ## Predict
 #
-# A ball is lit by one lamp. Now the *eye* moves to the side, lamp and ball stay where they are. What moves across the
-# ball?
+# A striped ball is lit by one lamp. Now the *eye* walks to the right; lamp and ball stay where they are. What moves over
+# the stripes?
 #
-# - the bright side and the highlight
+# - the highlight and the edge of the shadow
 # - only the highlight
 # - nothing: the lamp did not move
 
-# %% The same ball and lamp, seen from the front and from 20 and 40 degrees to the right
-from math import cos, radians, sin
+# %% The same ball and lamp, seen from the front and from 25 and 50 degrees to the right
+from math import cos, pi, radians, sin
 
 import glsim
 from glsim.gl import *
 from glsim.glu import gluLookAt, gluPerspective
-from glsim.glut import glutSolidSphere
 
-screen = glsim.offscreen(840, 280, samples=4)
-glClearColor(0.1, 0.11, 0.14, 1)
-glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-glEnable(GL_DEPTH_TEST)
-glEnable(GL_LIGHTING)
-glEnable(GL_LIGHT0)
-glShadeModel(GL_PHONG_WIN)
-glLightModeli(GL_LIGHT_MODEL_SPECULAR_LOBE_GLSIM, GL_PHONG_LOBE_GLSIM)
-glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1)
-glMaterialfv(GL_FRONT, GL_DIFFUSE, [0.6, 0.12, 0.1, 1])  # k_d
-glMaterialfv(GL_FRONT, GL_SPECULAR, [0.8, 0.8, 0.8, 1])  # k_s
-glMaterialf(GL_FRONT, GL_SHININESS, 30)  # n
-glMatrixMode(GL_PROJECTION)
-gluPerspective(30, 1, 1, 20)
-glMatrixMode(GL_MODELVIEW)
 
-for column, degrees in enumerate((0, 20, 40)):
-    glViewport(280 * column, 0, 280, 280)
+def ball():
+    """A unit sphere in 12 stripes, red and cream."""
+    for j in range(48):
+        stripe = [0.65, 0.1, 0.08, 1] if j // 4 % 2 else [0.7, 0.62, 0.48, 1]
+        glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, stripe)  # k_a, k_d
+        glBegin(GL_QUAD_STRIP)
+        for i in range(33):
+            theta = pi * i / 32
+            for phi in (2 * pi * j / 48, 2 * pi * (j + 1) / 48):
+                N = sin(theta) * sin(phi), cos(theta), sin(theta) * cos(phi)
+                glNormal3f(*N)
+                glVertex3f(*N)
+        glEnd()
+
+
+def scene(degrees=0):
+    """The ball, seen from so many degrees to the right."""
+    glClearColor(0.16, 0.17, 0.2, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glEnable(GL_DEPTH_TEST)
+    glEnable(GL_LIGHTING)
+    glEnable(GL_LIGHT0)
+    glShadeModel(GL_PHONG_WIN)
+    glLightModeli(GL_LIGHT_MODEL_SPECULAR_LOBE_GLSIM, GL_PHONG_LOBE_GLSIM)
+    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1)
+    glMaterialfv(GL_FRONT, GL_SPECULAR, [0.6, 0.6, 0.6, 1])  # k_s
+    glMaterialf(GL_FRONT, GL_SHININESS, 30)  # n
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    gluPerspective(28, 1, 1, 20)
+    glMatrixMode(GL_MODELVIEW)
     glLoadIdentity()
     eye = 5 * sin(radians(degrees)), 0, 5 * cos(radians(degrees))
     gluLookAt(*eye, 0, 0, 0, 0, 1, 0)
     glLightfv(GL_LIGHT0, GL_POSITION, [-3, 3, 5, 1])  # the lamp stays in the world
-    glutSolidSphere(1.1, 64, 48)
-screen
+    ball()
+
+
+glsim.compare(
+    scene,
+    modes="phong",
+    lobes="phong",
+    sweep={"degrees": [0, 25, 50]},
+    columns="degrees",
+    size=320,
+    samples=4,
+    differences="off",
+)
 
 # %% [markdown]
 # ## What you should see
 #
-# The lit half stays with the lamp: as we walk to the right, more of the dark half comes into view. The highlight comes
-# along. It is where the surface mirrors the lamp towards the eye, and another eye needs another place of the surface.
+# Count the stripes. The edge of the shadow lies on the same stripe in all three pictures: diffuse light does not know the
+# eye. The highlight wanders over the stripes, after us. It is where the surface mirrors the lamp towards the eye, and
+# another eye needs another place of the surface.
 
 # %% [markdown]
 # ## The formula
@@ -61,7 +86,7 @@ screen
 # $\mathbf{R}$ is the direction of perfect reflection, $\mathbf{V}$ the direction towards the eye, both of unit length;
 # their dot product is $\cos\varphi$. $k_s \in [0, 1]$ is the specular reflectance, and the **shininess** $n$ says how fast
 # the highlight falls off: $n = 1$ is a wide gleam, $n = 100$ a small hard spot, $n \to \infty$ a mirror that shows
-# nothing but the lamp. Where $\mathbf{N} \cdot \mathbf{L} < 0$ there is no highlight.
+# nothing but the lamp. Where $\mathbf{N} \cdot \mathbf{L}$ or $\mathbf{R} \cdot \mathbf{V}$ is negative there is no highlight.
 
 # %%
 glsim.source("shaders/specular.glsl", "float phong(", lines=6)
@@ -71,25 +96,37 @@ from glsim import plots
 
 plots.powers((1, 5, 20, 100))
 
-# %% The same ball with n = 2, 10, 50 and 128: keys 1 to 4 swap the pictures in place
-glsim.compare("sphere", modes="phong:phong", sweep={"shininess": [2, 10, 50, 128]},
-              size=320, samples=4, differences="off", columns="shininess")  # fmt: skip
+# %% A ball with n = 2, 10, 50 and 128: keys 1 to 4 swap the pictures in place
+glsim.compare(
+    "sphere:64",
+    modes="phong:phong",
+    sweep={"shininess": [2, 10, 50, 128]},
+    columns="shininess",
+    size=300,
+    samples=4,
+    differences="off",
+)
 
-# %% Where the vectors point at a pixel beside the highlight: R misses V by the angle phi
-glsim.vectors("sphere:48", 200, 190)
+# %% [markdown]
+# The middle of the highlight, where $\mathbf{R} = \mathbf{V}$, is equally bright in all four: $1^n = 1$. Only its width
+# changes.
+
+# %% The vectors at a pixel below the highlight: R misses V by phi = 39 degrees, and 0.78 to the power of 30 is 0.0005
+glsim.vectors(scene, 165, 265)
 
 # %% [markdown]
 # The model is empirical: no law of physics has a power of a cosine in it. It became popular because it is cheap, and
 # because one look at a sphere tells whether $n$ is right.
 #
-# > **The slide says** "a common specular reflection term is added". Mind what it multiplies: $k_s$ is a colour of its
-# > own. On plastic it is white whatever the plastic's colour; on metals it has the metal's colour.
+# > **The slide says** $n$ twice: for the normal and for the exponent. We write $\mathbf{N}$ and $n$. And it does not say
+# > that a negative $\mathbf{R} \cdot \mathbf{V}$ counts as 0. It must: with an even exponent $(-0.9)^{20} = 0.12$ would be a
+# > highlight on the wrong side.
 #
 # ## Try this
 #
-# 1. Set `GL_SPECULAR` to the colour of `GL_DIFFUSE`. Does it still look like a billiard ball, or more like metal?
-# 2. Use `glShadeModel(GL_SMOOTH)` and a sphere of 12 slices: what happens to the highlight? (Lesson 15 is about it.)
-# 3. Move the lamp behind the ball, `[-1, 0, -5, 1]`. Is there a highlight at the rim?
+# 1. Set `GL_SPECULAR` to `[0.8, 0.5, 0.1, 1]`. Does it still look like plastic, or more like metal?
+# 2. Set `eye` 90 degrees to the right, `scene(90)`. How much of the highlight is left?
+# 3. Move the lamp behind the ball, `[-1, 0, -5, 1]`. Look for a highlight at the rim: in which of the pictures?
 #
 # ## Questions
 #

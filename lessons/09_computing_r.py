@@ -2,7 +2,7 @@
 # # 9. Computing R
 #
 # The highlight needs the direction in which a mirror would send the light. No angle has to be computed for it, and no
-# sine: two dot products and a subtraction do.
+# sine: one dot product, a multiplication and a subtraction do.
 
 # %% [markdown]
 # ## Predict
@@ -62,17 +62,70 @@ for length in (1.0, 1.1, 1.5):
 # %% Four rays and their mirror directions
 plots.reflection((15, 35, 55, 75))
 
-# %% On a real surface: N, L, R and V at a pixel of the teapot
-glsim.vectors("teapot", 200, 260)
+# %% The same ball three times, its normals 10 % too short, right, and 10 % too long
+from glsim.gl import *
+from glsim.glut import glutSolidSphere
+
+screen = glsim.offscreen(810, 270, samples=4)
+glClearColor(0.16, 0.17, 0.2, 1)
+glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+glEnable(GL_DEPTH_TEST)
+glEnable(GL_LIGHTING)
+glEnable(GL_LIGHT0)
+glLightModeli(GL_LIGHT_MODEL_SPECULAR_LOBE_GLSIM, GL_PHONG_LOBE_GLSIM)
+glLightfv(GL_LIGHT0, GL_POSITION, [-1, 1, 2, 0])
+glMaterialfv(GL_FRONT, GL_DIFFUSE, [0.2, 0.4, 0.6, 1])
+glMaterialfv(GL_FRONT, GL_SPECULAR, [0.6, 0.6, 0.6, 1])
+glMaterialf(GL_FRONT, GL_SHININESS, 20)
+glMatrixMode(GL_PROJECTION)
+glOrtho(-1, 1, -1, 1, -1, 1)
+glMatrixMode(GL_MODELVIEW)
+for column, length in enumerate((0.9, 1.0, 1.1)):
+    glViewport(270 * column, 0, 270, 270)
+    glLoadIdentity()
+    glScalef(1 / length, 1 / length, 1 / length)
+    glutSolidSphere(0.8 * length, 80, 60)
+screen
 
 # %% [markdown]
-# > **The slide says** "all vectors are unit length!" and is right to shout: with a normal of the length 1.1 the
-# > reflected ray has already turned by several degrees, and $(\mathbf{R} \cdot \mathbf{V})^n$ can exceed 1.
+# All three are spheres of the radius 0.8: `glScalef` makes the ball larger and the *normals shorter* by the same factor, a
+# smaller `glutSolidSphere` hides the first. At 0.9 the highlight is gone, for in its middle $\mathbf{R} \cdot \mathbf{V}$ is
+# not 1 but 0.65, and $0.65^{20}$ is 0.0002. At 1.1 it is a white blot. The diffuse light changes by 10 % only.
+# `glEnable(GL_NORMALIZE)` mends both.
+
+# %% On a surface: N, L, R and V at a pixel of a teapot
+from glsim.glut import glutSolidTeapot
+
+
+def teapot():
+    glClearColor(0.16, 0.17, 0.2, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    for what in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0, GL_NORMALIZE):
+        glEnable(what)
+    glShadeModel(GL_PHONG_WIN)
+    glLightModeli(GL_LIGHT_MODEL_SPECULAR_LOBE_GLSIM, GL_PHONG_LOBE_GLSIM)
+    glLightfv(GL_LIGHT0, GL_POSITION, [-1, 1, 2, 0])
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, [0.2, 0.4, 0.6, 1])
+    glMaterialfv(GL_FRONT, GL_SPECULAR, [0.6, 0.6, 0.6, 1])
+    glMaterialf(GL_FRONT, GL_SHININESS, 20)
+    glMatrixMode(GL_PROJECTION)
+    glOrtho(-1, 1, -1, 1, -2, 2)
+    glMatrixMode(GL_MODELVIEW)
+    glRotatef(20, 1, 0, 0)
+    glutSolidTeapot(0.55)
+
+
+glsim.vectors(teapot, 200, 290)
+
+# %% [markdown]
+# > **The slide says** "all vectors are unit length!" and is right to shout. Which of them is it for? The mirror direction
+# > needs $\mathbf{N}$ alone to be of unit length: a longer $\mathbf{L}$ gives an equally longer $\mathbf{R}$ in the right
+# > direction. But $\mathbf{R} \cdot \mathbf{V}$ is a cosine only if $\mathbf{R}$ and $\mathbf{V}$ are unit vectors too.
 #
 # ## Try this
 #
 # 1. `plots.computing_r(35)` with 10 and 80 degrees: which of the two parts is large where?
-# 2. Compute `shading.reflection(N, R)`. Why is it `L` again?
+# 2. Compute `shading.reflection(N, shading.reflection(N, L))`. Why is it `L` again?
 # 3. Mirror a light from behind the surface, `L = [0.6, 0, -0.8]`. Where does R point, and why does OpenGL not care?
 #
 # ## Questions

@@ -8,13 +8,12 @@
 # %% [markdown]
 # ## Predict
 #
-# A flat wall, seen at a grazing angle, is lit by a lamp low on the other side. Phong's highlight $(\mathbf{R} \cdot
-# \mathbf{V})^n$ on it is round, as it is on a wall seen from the front. What shape has Blinn's $(\mathbf{N} \cdot
-# \mathbf{H})^n$?
+# A wet street at night; far away, low above it, hangs a lamp. In the picture Phong's highlight $(\mathbf{R} \cdot
+# \mathbf{V})^n$ is a round blot around the lamp's mirror image. What shape has Blinn's $(\mathbf{N} \cdot \mathbf{H})^n$?
 #
 # - round as well: the formulas are nearly the same
-# - long and narrow, stretched towards the eye like the sun on the sea
-# - wide and flat
+# - long and narrow, stretched towards the eye
+# - wide and flat, along the horizon
 
 # %% A wet street and a lamp near the horizon: (R.V)^n and (N.H)^n. Press 1 and 2
 import glsim
@@ -43,13 +42,21 @@ def street():
     glEnd()
 
 
-glsim.compare(street, modes=["phong:phong", "phong:blinn"], size=420, samples=4)
+glsim.compare(
+    street,
+    modes=["phong:phong", "phong:blinn"],
+    size=420,
+    samples=4,
+    differences="off",
+)
 
 # %% [markdown]
 # ## What you should see
 #
-# Phong's spot is a disc that lies on the street. Blinn's is drawn out towards the eye, as lights on wet asphalt and the
-# sun on the sea are. That is what "agrees better with experiments" means: a photograph of a street shows the second.
+# Both have their brightest point where a mirror would show the lamp. Phong's falls off by the angle between the line of
+# sight and that mirror image, nearly alike in all directions: a round blot, wider than it is high only because the horizon cuts it.
+# Blinn's is drawn out towards the eye, as lights on wet asphalt and the sun on the sea are. That is what "agrees better
+# with experiments" means: a photograph shows the second.
 
 # %% [markdown]
 # ## The formula
@@ -61,10 +68,35 @@ glsim.compare(street, modes=["phong:phong", "phong:blinn"], size=420, samples=4)
 # same place. $k_s$, $I_L$ and $n$ are as in Phong's model.
 #
 # > **The slide says** $I_s = I_L k_s (H \cdot V)^n$ and $H = L + V$. The first must be $(\mathbf{N} \cdot \mathbf{H})^n$:
-# > $\mathbf{H} \cdot \mathbf{V}$ does not contain the surface at all. And the sum must be normalised.
+# > $\mathbf{H} \cdot \mathbf{V}$ does not contain the surface at all. And the sum must be divided by its length,
+# > which can be as much as 2.
 
 # %%
 glsim.source("shaders/specular.glsl", "vec3 H = normalize(L + V);", lines=2)
+
+# %% Only the highlight of a ball: the correct (N.H)^20; the slide's (H.V)^20; with N.(L + V), not normalised
+import numpy as np
+from PIL import Image
+
+from glsim import shading
+
+y, x = np.mgrid[1.15:-1.15:480j, -1.15:1.15:480j]
+inside = (x**2 + y**2 < 1)[..., None]
+N = np.stack([x, y, np.sqrt(np.clip(1 - x**2 - y**2, 0, None))], axis=-1)
+L = shading.normalize([-1, 1, 2])
+V = np.array([0, 0, 1])
+H = shading.halfway(L, V)
+three = [
+    shading.power(shading.dot(N, H), 20),
+    shading.power(shading.dot(H, V), 20) * np.ones_like(inside),
+    shading.power(shading.dot(N, L + V), 20),
+]
+row = [np.where(inside, np.clip(0.1 + term, 0, 1), 0.25) for term in three]
+Image.fromarray((255 * np.concatenate(row, axis=1)[..., 0]).astype(np.uint8)).reduce(2)
+
+# %% [markdown]
+# In the middle the ball is a flat disc, everywhere $(\mathbf{H} \cdot \mathbf{V})^{20} = 0.38$: with one lamp and one eye it is
+# a constant. On the right $|\mathbf{L} + \mathbf{V}| = 1.91$, and $1.91^{20}$ is 400 000: a white blot.
 
 # %% L, V and H between them
 from glsim import plots
@@ -82,58 +114,73 @@ plots.highlights(45, 20)
 # $\mathbf{N} \cdot \mathbf{V} > 0$, then $\mathbf{N} \cdot \mathbf{H} > 0$ as well, and the power needs no clamp.
 # $\mathbf{R} \cdot \mathbf{V}$ may well be negative.
 
-# %% The angle between N and H never exceeds 90 degrees; that between R and V does
-import numpy as np
-
-from glsim import shading
-
+# %% 2000 pairs of directions above the surface: the smallest N.H and the smallest R.V
 rng = np.random.default_rng(1)
-N = np.array([0.0, 0.0, 1.0])
-above = [
-    v / np.linalg.norm(v) for v in rng.normal(size=(4000, 3)) * [1, 1, 0.4] if v[2] > 0
-]
-L, V = (
-    np.array(above[: len(above) // 2]),
-    np.array(above[len(above) // 2 :][: len(above) // 2]),
-)
-print("smallest N.H:", (shading.halfway(L, V) @ N).min().round(3))
-print("smallest R.V:", np.sum(shading.reflection(N, L) * V, axis=1).min().round(3))
+L, V = shading.normalize(rng.normal(size=(2, 2000, 3)) * [1, 1, 0.4])
+L[:, 2], V[:, 2] = abs(L[:, 2]), abs(V[:, 2])
+N = np.array([0, 0, 1])
+print("smallest N.H:", shading.dot(N, shading.halfway(L, V)).min().round(3))
+print("smallest R.V:", shading.dot(shading.reflection(N, L), V).min().round(3))
 
 # %% [markdown]
-# **When is it constant?** With a light at infinity $\mathbf{L}$ is the same everywhere. With an orthographic view, or
-# OpenGL's default `GL_LIGHT_MODEL_LOCAL_VIEWER` 0, $\mathbf{V}$ is too. Then $\mathbf{H}$ is one vector for the whole
-# picture, and on a *flat* surface $\mathbf{N} \cdot \mathbf{H}$ is one number: the wall gleams evenly, or not at all. That
-# saved a square root for each vertex in 1992, and is why OpenGL chose this lobe.
+# ## When is it constant?
+#
+# If the light is a direction, $\mathbf{L}$ is the same everywhere. If the view is orthographic, $\mathbf{V}$ is the same
+# everywhere. With both, $\mathbf{H}$ is *one vector for the whole scene*: it is computed once for each light, square root
+# included. $\mathbf{N} \cdot \mathbf{H}$ is then a function of the normal alone. On a **flat** surface it is one number, and
+# the surface gleams evenly or not at all; on a curved one it varies with $\mathbf{N}$.
 
-# %% A flat square under a directional light: with an infinite viewer evenly bright, with a local one a highlight
-screen = glsim.offscreen(640, 320)
+# %% [markdown]
+# OpenGL need not draw an orthographic picture for that. `GL_LIGHT_MODEL_LOCAL_VIEWER` is 0 unless you set it, and then
+# the equation takes $\mathbf{V} = (0, 0, 1)$, an eye infinitely far away, whatever the projection is.
+#
+# > **The slide says** that with a directional light and an orthographic projection $N \cdot H$ is constant. It is
+# > $\mathbf{H}$ that is constant. $\mathbf{N} \cdot \mathbf{H}$ is constant on each flat surface.
+
+# %% A direction and an infinite viewer on a wall, and on a ball; the wall with a local viewer; with a lamp at a place
+from glsim.glut import glutSolidSphere
+
+screen = glsim.offscreen(960, 240, samples=4)
 glClearColor(0.1, 0.11, 0.14, 1)
-glClear(GL_COLOR_BUFFER_BIT)
+glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+glEnable(GL_DEPTH_TEST)
 glEnable(GL_LIGHTING)
 glEnable(GL_LIGHT0)
 glShadeModel(GL_PHONG_WIN)
-glLightfv(GL_LIGHT0, GL_POSITION, [0.3, 0.3, 1, 0])
 glMaterialfv(GL_FRONT, GL_DIFFUSE, [0.1, 0.2, 0.4, 1])
-glMaterialfv(GL_FRONT, GL_SPECULAR, [0.8, 0.8, 0.8, 1])
+glMaterialfv(GL_FRONT, GL_SPECULAR, [0.6, 0.6, 0.6, 1])
 glMaterialf(GL_FRONT, GL_SHININESS, 100)
 glMatrixMode(GL_PROJECTION)
-glFrustum(-0.5, 0.5, -0.5, 0.5, 1, 10)
+gluPerspective(53, 1, 1, 10)
 glMatrixMode(GL_MODELVIEW)
-for column in (0, 1):
-    glViewport(320 * column, 0, 320, 320)
-    glLoadIdentity()
-    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, column)
-    glTranslatef(0, 0, -2.2)
+glTranslatef(0, 0, -2.4)
+direction, place = [0.2, 0.2, 1, 0], [0.5, 0.5, 1, 1]
+pictures = ((direction, 0), (direction, 0), (direction, 1), (place, 0))
+for column, (light, local_viewer) in enumerate(pictures):
+    glViewport(240 * column, 0, 240, 240)
+    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, local_viewer)
+    glPushMatrix()
+    glLoadIdentity()  # the light is placed in eye space
+    glLightfv(GL_LIGHT0, GL_POSITION, light)
+    glPopMatrix()
     glNormal3f(0, 0, 1)
-    glRectf(-1, -1, 1, 1)
+    if column == 1:
+        glutSolidSphere(0.95, 64, 48)
+    else:
+        glRectf(-1, -1, 1, 1)
 screen
+
+# %% [markdown]
+# The first wall is even. The ball has the same $\mathbf{H}$ and many normals, so it has a highlight. The third picture has a
+# local viewer, so $\mathbf{V}$ varies; the fourth has a lamp at a place, so $\mathbf{L}$ does: either is enough to give the
+# wall a highlight.
 
 # %% [markdown]
 # ## Try this
 #
-# 1. Set the shininess of the street to 15 and 200: which lobe keeps its shape?
-# 2. Lift the eye, `gluLookAt(0, 8, ...)`: how does Blinn's highlight change its shape?
-# 3. In the last figure make the light positional, `[0.3, 0.3, 1, 1]`: is the left square still even?
+# 1. Set the shininess of the street to 15, then to 128: which lobe keeps its shape?
+# 2. Lift the eye a little, `gluLookAt(0, 2, ...)`: how does Blinn's highlight change its shape?
+# 3. Turn the first wall of the last figure by `glRotatef(8, -1, 1, 0)`, so that it faces $\mathbf{H}$. Is it still even?
 #
 # ## Questions
 #

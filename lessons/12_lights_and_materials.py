@@ -21,7 +21,7 @@ from glsim.gl import *
 from glsim.glut import glutSolidSphere
 
 screen = glsim.offscreen(720, 480, samples=4)
-glClearColor(0.13, 0.14, 0.17, 1)
+glClearColor(0.3, 0.31, 0.34, 1)
 glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
 glEnable(GL_DEPTH_TEST)
 glEnable(GL_LIGHTING)
@@ -77,6 +77,35 @@ red = np.array([1.0, 0.0, 0.0])
 for name, k_d in (("white", [1, 1, 1]), ("green", [0, 1, 0]), ("yellow", [1, 1, 0])):
     print(f"red light on a {name} surface: {red * k_d}")
 
+
+# %% The same brown ball in white light: its highlight with a white k_s, and with a k_s of its own colour
+def brown(metal):
+    glClearColor(0.3, 0.31, 0.34, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    for what in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
+        glEnable(what)
+    glLightfv(GL_LIGHT0, GL_POSITION, [-1, 1.5, 2, 0])
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, [0.4, 0.22, 0.08, 1])
+    k_s = [0.9, 0.6, 0.25, 1] if metal else [0.6, 0.6, 0.6, 1]
+    glMaterialfv(GL_FRONT, GL_SPECULAR, k_s)
+    glMaterialf(GL_FRONT, GL_SHININESS, 25)
+    glMatrixMode(GL_PROJECTION)
+    glOrtho(-1, 1, -1, 1, -1, 1)
+    glMatrixMode(GL_MODELVIEW)
+    glutSolidSphere(0.8, 64, 48)
+
+
+glsim.compare(
+    brown,
+    modes="phong",
+    sweep={"metal": [False, True]},
+    columns="metal",
+    captions={"False": "like plastic", "True": "like copper"},
+    size=320,
+    samples=4,
+    differences="off",
+)
+
 # %% Materials are little tables of k_a, k_d, k_s and n: metals have a coloured k_s, plastics a white one
 glsim.compare(
     "teapot",
@@ -84,6 +113,7 @@ glsim.compare(
     sweep={"material": ["brass", "red-plastic", "emerald", "black-rubber"]},
     columns="material",
     differences="off",
+    camera="30,20,3.8",
     size=260,
     samples=4,
 )

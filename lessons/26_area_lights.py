@@ -114,7 +114,7 @@ screen
 # ## What you should see
 #
 # One point: a shadow cut out of paper. Four: four shadows, laid over each other. Sixteen: the steps can still be
-# counted. With 64 the border is smooth, and the shadow is darkest in the middle, where no point of the lamp is seen.
+# counted. With 64 the border is smooth, a **soft shadow**, and the shadow is darkest in the middle, where no point of the lamp is seen.
 # The highlights on the torus spread in the same way: each point light makes its own.
 
 # %% [markdown]

@@ -20,12 +20,13 @@ from glsim.metrics import same_sign_blocks
 
 @dataclass(frozen=True)
 class Result:
-    """The marks of a file, one for each part of the exercise."""
+    """The marks of a file, one for each part of the exercise.  isolation: the name of that in which the file ran."""
 
     exercise: Exercise
     marks: tuple[Mark, ...]
     printed: str = ""
     note: str = ""
+    isolation: str = Separate.name
 
     @cached_property
     def points(self) -> int:
@@ -40,16 +41,17 @@ def check(exercise: Exercise, file: Path, isolation: Isolation | None = None, se
     """Judge a student's file.  isolation: none for the student's own machine.  seconds: that the file may run.
 
     Raises FileNotFoundError if there is no such file."""
-    return judged(exercise, ask(exercise, file, isolation or Separate(), seconds))
+    isolation = isolation or Separate()
+    return judged(exercise, ask(exercise, file, isolation, seconds), isolation.name)
 
 
-def judged(exercise: Exercise, answers: Answers) -> Result:
-    """The marks for a file's answers."""
+def judged(exercise: Exercise, answers: Answers, isolation: str = Separate.name) -> Result:
+    """The marks for a file's answers.  isolation: the name of that in which the file ran."""
     marks = tuple(
         _judge(exercise, part, answer, answers)
         for part, answer in zip(exercise.definition.parts, answers.values, strict=True)
     )
-    return Result(exercise, marks, answers.printed, answers.note)
+    return Result(exercise, marks, answers.printed, answers.note, isolation)
 
 
 def _judge(exercise: Exercise, part: Part, answer: dict[str, object], answers: Answers) -> Mark:
@@ -64,8 +66,16 @@ def _judge(exercise: Exercise, part: Part, answer: dict[str, object], answers: A
     if answers.frame is None or answer.get("error"):
         return failed(part, answer)
     if isinstance(part, Drawn):
-        return mark(part, part.judge(answers.frame) or "")
+        return _judge_frame(part, answers.frame)
     return _judge_picture(exercise, part, answers.frame)
+
+
+def _judge_frame(part: Drawn, frame: Frame) -> Mark:
+    """What the part's judge says of a Frame.  One that it stumbles over is not right either."""
+    try:
+        return mark(part, part.judge(frame) or "")
+    except Exception as error:  # any number may stand in a student's matrices
+        return mark(part, f"what the program draws cannot be judged ({error}): is a scale 0, or a number not finite?")
 
 
 def _judge_picture(exercise: Exercise, part: Picture, frame: Frame) -> Mark:

@@ -44,24 +44,25 @@ def supervised(
     cwd: str,
     environment: Mapping[str, str],
     stdout: int | None = None,
+    stderr: int | None = None,
     timeout: float | None = None,
     scratch: str | None = None,
 ) -> Outcome:
     """Run ``command`` to its end, at most ``timeout`` seconds; afterwards none of its processes is left.
 
-    stdout: a file descriptor for its standard output.  scratch: a folder to be removed if the caller is killed.
+    stdout, stderr: file descriptors for its output.  scratch: a folder to be removed if the caller is killed.
     When its time is up, the command gets SIGUSR2 and a moment to write down where it is.
     An exception that comes while it runs (KeyboardInterrupt) goes on after the command was ended.
     """
     mark = uuid.uuid4().hex
     environment = {**environment, MARK: mark}
     if os.name != "posix":
-        return _alone(command, cwd, environment, stdout, timeout)
+        return _alone(command, cwd, environment, stdout, stderr, timeout)
     reading, writing = os.pipe()
     order = {"command": list(command), "cwd": cwd, "timeout": timeout, "status": writing, "scratch": scratch}
     supervisor = subprocess.Popen(
         [sys.executable, "-I", "-S", __file__, json.dumps(order)],
-        env=environment, stdout=stdout, pass_fds=[writing], start_new_session=True,
+        env=environment, stdout=stdout, stderr=stderr, pass_fds=[writing], start_new_session=True,
     )  # fmt: skip
     os.close(writing)
     report: dict[str, Any] = {}
@@ -99,10 +100,15 @@ def _read_report(pipe: int, seconds: float | None) -> dict[str, Any]:
 
 
 def _alone(
-    command: Sequence[str], cwd: str, environment: Mapping[str, str], stdout: int | None, timeout: float | None
+    command: Sequence[str],
+    cwd: str,
+    environment: Mapping[str, str],
+    stdout: int | None,
+    stderr: int | None,
+    timeout: float | None,
 ) -> Outcome:
     """Without a supervisor: Windows."""
-    child = subprocess.Popen(command, cwd=cwd, env=environment, stdout=stdout)
+    child = subprocess.Popen(command, cwd=cwd, env=environment, stdout=stdout, stderr=stderr)
     try:
         return Outcome(child.wait(timeout))
     except subprocess.TimeoutExpired:

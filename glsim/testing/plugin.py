@@ -104,7 +104,8 @@ def _clean(request: pytest.FixtureRequest, screens: Screens, purpose: str, size:
     try:
         return screens.clean(purpose, width, height, values["samples"])
     except (ValueError, NoDeviceError) as error:
-        pytest.fail(str(error), pytrace=False)
+        sentence = str(error)
+    pytest.fail(sentence, pytrace=False)
 
 
 # ---------------------------------------------------------------- the end of a test

@@ -16,10 +16,9 @@ from typing import Any
 import pytest
 
 from glsim.testing import baselines
-from glsim.testing.settings import Settings
+from glsim.testing.settings import Settings, is_foreign
 
-MARK = "report.json"  # a folder with this file is a report
-PARTS = ("candidates", "differences", "index.html", MARK, ".gitignore")
+PARTS = ("candidates", "differences", "index.html", "report.json", ".gitignore")
 SHOWN = 4  # pictures in a terminal, at most
 
 
@@ -50,9 +49,7 @@ class Session:
     def _remove_old_report(self) -> None:
         """So that nothing of an earlier run is approved by mistake.  A folder that is no report is left alone."""
         folder = self.settings.folder
-        if not folder.is_dir() or not any(folder.iterdir()):
-            return
-        if not (folder / MARK).is_file() and not (folder / "candidates").is_dir():
+        if is_foreign(folder):
             raise pytest.UsageError(f"--gl-report: {folder} has other files in it: name an empty or a new folder")
         for part in PARTS:
             path = folder / part
@@ -168,8 +165,8 @@ class Session:
             write(f"approve pictures that are right: glsim snapshots approve {self._folder()}")
         from glsim.testing.terminal import show
 
-        show(self.config, terminalreporter, [self.settings.folder / (e["difference"] or e["candidate"])
-                                             for e in (failed + missing)[:SHOWN] if e["candidate"]])  # fmt: skip
+        shown = [entry["difference"] or entry["candidate"] for entry in failed + missing]
+        show(self.config, terminalreporter, [self.settings.folder / path for path in shown if path][:SHOWN])
 
     def _folder(self) -> str:
         """The report's folder, as it is typed."""
@@ -189,13 +186,12 @@ def _escaped(name: str) -> str:
 
 def _header(folders: set[Path]) -> list[str]:
     """Who draws here, who drew the baselines, and whether the two can be compared."""
-    from glsim.render.device import NoDeviceError
     from glsim.testing import screens
 
     try:
         here = {**screens.probe()[0], "probe": screens.digest()}
-    except NoDeviceError:
-        return ["glsim: no OpenGL context can be opened here"]
+    except Exception as error:  # each test that draws says it again, as its own error
+        return [f"glsim: nothing can be drawn here: {str(error).splitlines()[0]}"]
     lines = [f"glsim: pictures are drawn by {here['renderer']}, {here['version']}"]
     made: Counter[tuple[str, str, str]] = Counter()
     for folder in folders:

@@ -30,7 +30,7 @@ def settings_of(config: pytest.Config) -> Settings:
         folder = Path(worker["gl_report"])
     elif wanted:
         folder = config.invocation_params.dir / wanted
-    elif os.access(config.rootpath, os.W_OK):
+    elif os.access(config.rootpath, os.W_OK) and not is_foreign(config.rootpath / "gl-report"):
         folder = config.rootpath / "gl-report"
     else:
         folder = Path(tempfile.gettempdir()) / f"gl-report-{os.getpid()}"
@@ -41,6 +41,12 @@ def settings_of(config: pytest.Config) -> Settings:
         report_all=wanted is not None,
         unused_fails=config.getoption("--gl-unused") == "fail",
     )
+
+
+def is_foreign(folder: Path) -> bool:
+    """Whether a folder has files in it and is no report."""
+    ours = (folder / "report.json").is_file() or (folder / "candidates").is_dir()
+    return folder.is_dir() and any(folder.iterdir()) and not ours
 
 
 def in_ci() -> bool:

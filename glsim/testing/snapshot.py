@@ -152,13 +152,17 @@ class Snapshot:
     def _judged(
         self, entry: Entry, pixels: Pixels, made: dict[str, str], approved: list[tuple[Baseline, Pixels]], ranges: Any
     ) -> None:
-        verdict = judge(pixels, made, approved, ranges)
+        verdict, differs = judge(pixels, made, approved, ranges), must_differ(ranges)
         entry.closest, entry.message = verdict.closest.path.name, verdict.reason
         if verdict.passed:
             entry.status = PASSED if verdict.exact else CLOSE
-            if entry.status == CLOSE and self._settings.report_all:
+            if entry.status == CLOSE and self._settings.report_all and not differs:
                 self._keep(entry, pixels, made, verdict.expected)
-        elif self._settings.update and not must_differ(ranges):
+        elif differs:  # the picture of another snapshot, which must never be approved in this one's place
+            entry.status, entry.message = FAILED, verdict.reason
+            entry.difference = f"differences/{self._place(entry)}-differs.png"
+            write_difference(self._settings.folder / entry.difference, verdict.expected, pixels)
+        elif self._settings.update:
             self._write(entry, pixels, made)
         else:
             entry.status = FAILED
@@ -178,12 +182,16 @@ class Snapshot:
 
     def _keep(self, entry: Entry, pixels: Pixels, made: dict[str, str], expected: Pixels | None) -> None:
         """Write the picture, and how it differs, into the report's folder."""
-        place = f"{entry.folder.replace('../', '')}/{entry.base}"
+        place = self._place(entry)
         entry.candidate = f"candidates/{place}.png"
         baselines.write(self._settings.folder / entry.candidate, pixels, self._facts(pixels, made))
         if expected is not None:
             entry.difference = f"differences/{place}.png"
             write_difference(self._settings.folder / entry.difference, expected, pixels)
+
+    @staticmethod
+    def _place(entry: Entry) -> str:
+        return f"{entry.folder.replace('../', '')}/{entry.base}"
 
     @staticmethod
     def _facts(pixels: Pixels, made: dict[str, str]) -> dict[str, str]:

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from glsim.course.asking import Answers
 from glsim.course.cells import lessons
-from glsim.course.exercise import Exercise, exercises
+from glsim.course.checking import judged
+from glsim.course.exercise import Definition, Drawn, Exercise, exercises
 from glsim.course.handout import hints, starter
+from glsim.machine.frame import Frame
 from tests.course.grading import VARIANTS, changed, marks_of, solution_of, variants_of
 
 EXERCISES = exercises()
@@ -55,6 +59,14 @@ def test_every_exercise_belongs_to_a_lesson_that_names_it() -> None:
         assert lesson is not None, f"{one.name}: there is no lesson {one.definition.lesson}"
         text = "\n".join(cell.source for cell in lesson.cells)
         assert f"Exercise {one.number}" in text, f"lesson {lesson.number} does not name exercise {one.number}"
+
+
+def test_a_frame_over_which_a_judge_stumbles_gets_no_points() -> None:
+    part = Drawn("the camera", lambda frame: str(np.linalg.inv(np.zeros((4, 4)))))
+    one = Exercise(Path("01_x.py"), 1, "", Definition("", 1, "", [part], program=True))
+    result = judged(one, Answers([{}], Frame(8, 8)))
+    assert result.points == 0
+    assert "cannot be judged" in result.marks[0].hint
 
 
 @pytest.mark.parametrize("one", EXERCISES, ids=lambda one: one.name)

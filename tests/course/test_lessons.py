@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import base64
+import io
 import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
 from glsim.course.cells import Lesson, lesson, lessons
-from glsim.course.outputs import Output, execute
+from glsim.course.outputs import execute
+from glsim.testing.snapshot import Snapshot
 
 LESSONS = lessons()
+PNG, SVG = "image/png", "image/svg+xml"
 
 # The lecture's topics in its order: the number of the lesson, and words that it must speak of.
 TOPICS = {
@@ -58,10 +63,6 @@ def text_of(one: Lesson) -> str:
     return "\n".join(cell.source for cell in one.cells)
 
 
-def outputs_of(one: Lesson) -> list[Output]:
-    return execute(one)
-
-
 def test_every_topic_has_its_lesson() -> None:
     by_number = {one.number: text_of(one).lower() for one in LESSONS}
     assert sorted(by_number) == sorted(TOPICS)
@@ -93,8 +94,9 @@ def test_a_lesson_has_its_parts(one: Lesson) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("one", LESSONS, ids=lambda one: one.name)
-def test_a_lesson_runs_and_shows_its_figures(one: Lesson) -> None:
-    outputs = outputs_of(one)
+def test_a_lesson_runs_and_shows_its_figures(one: Lesson, gl_snapshot: Snapshot) -> None:
+    """Figures are held against approved ones, small: what they show must stay; letters and rounding may differ."""
+    outputs = execute(one)
     question = next(k for k, cell in enumerate(one.cells) if cell.source.startswith("## Predict"))
     shown_after = [output.is_figure for output in outputs[question + 1 :]]
     assert any(shown_after), "the prediction's figure"
@@ -102,6 +104,13 @@ def test_a_lesson_runs_and_shows_its_figures(one: Lesson) -> None:
     for cell, output in zip(one.cells, outputs, strict=True):
         if "image/png" in output.shown or "image/svg+xml" in output.shown:
             assert cell.title, f"line {cell.line}: a figure needs a caption behind # %%"
+    drawn = [output.shown["image/png"] for output in outputs if SVG not in output.shown and PNG in output.shown]
+    for number, picture in enumerate(drawn):
+        image = Image.open(io.BytesIO(base64.b64decode(picture))).convert("RGB")
+        image.thumbnail((128, 128), Image.Resampling.BOX)
+        gl_snapshot(image, name=str(number), mean=(0, 1.5), max=(0, 120))
+    if not drawn:
+        gl_snapshot(Image.new("L", (1, 1)), name="plots only")
 
 
 @pytest.mark.slow

@@ -76,7 +76,7 @@ def test_pictures_of_numbers(small: radiosity.Radiosity, gl_snapshot: Any) -> No
     gl_snapshot(small.picture(96), "solution", max=4, mean=0.3)
     gl_snapshot(small.row_picture(5, 64), "row", max=4, mean=0.3)
     gl_snapshot(small.convergence_picture(), "residual", mean=2.0)
-    gl_snapshot(small.matrix_picture(100), "matrix", mean=2.0)
+    gl_snapshot(small.matrix_picture(250), "matrix", mean=2.0)
 
 
 def test_a_camera_that_is_not_there(small: radiosity.Radiosity) -> None:

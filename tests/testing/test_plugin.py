@@ -374,3 +374,41 @@ def test_a_run_without_snapshots_imports_nothing_heavy(project: pytest.Pytester)
         """
     )
     project.runpytest_subprocess().assert_outcomes(passed=1)
+
+
+@pytest.mark.parametrize("right", [True, False])
+def test_a_picture_that_must_differ_is_never_approved(project: pytest.Pytester, right: bool) -> None:
+    """It is held against another snapshot's baseline, and must not take its place."""
+    project.makepyfile(
+        test_ball=BALL.replace("{blue}", "0")
+        + f"        gl_snapshot(np.full((20, 30, 3), 7 if {right} else picture, np.uint8), max=(5, 255))\n"
+    )
+    project.runpytest_inprocess("--gl-update")
+    before = png(project).read_bytes()
+    result = project.runpytest_inprocess("--gl-report", "out")
+    result.assert_outcomes(passed=int(right), failed=int(not right))
+    assert main(["snapshots", "approve", str(project.path / "out"), "--root", str(project.path)]) == 0
+    assert png(project).read_bytes() == before
+    assert not list(project.path.glob("out/candidates/**/*.png"))
+
+
+def test_a_machine_that_cannot_draw_fails_those_tests_alone(
+    project: pytest.Pytester, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("GLSIM_BACKEND", "nonsense")
+    project.makepyfile(test_ball="def test_drawn(gl): pass\ndef test_other(): pass\n")
+    result = project.runpytest_inprocess()
+    result.assert_outcomes(errors=1, passed=1)
+    result.stdout.fnmatch_lines(["*backend must be auto, egl*not 'nonsense'*"])
+    result.stdout.no_fnmatch_line("*Traceback*")
+
+
+def test_a_folder_of_the_projects_own_is_left_alone(project: pytest.Pytester) -> None:
+    own = project.path / "gl-report"
+    own.mkdir()
+    (own / "index.html").write_text("mine")
+    ball(project)
+    result = project.runpytest_inprocess()
+    result.assert_outcomes(failed=1)
+    assert [path.name for path in own.iterdir()] == ["index.html"]
+    assert (own / "index.html").read_text() == "mine"

@@ -1,14 +1,16 @@
-"""How a student's file is kept apart from everything else while it runs."""
+"""How a student's file is kept apart from everything else while it runs.  ISOLATION.md says what that contains."""
 
 from __future__ import annotations
 
 import subprocess
+import sys
+import tempfile
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from typing import Protocol
 
-from glsim.course.isolation.clean import environment
+from glsim.course.isolation.clean import environment, sentence
 from glsim.play.supervise import supervised
 
 
@@ -33,14 +35,32 @@ class Separate:
         outcome = supervised(
             command, cwd=str(folder / "work"), environment=environment(), stdout=subprocess.DEVNULL, timeout=seconds
         )
-        if outcome.timed_out:
-            return f"stopped after {seconds:g} seconds: is there a loop that never ends?"
-        return "" if outcome.code == 0 else f"the process ended with exit code {outcome.code}"
+        return sentence(outcome, seconds)
 
 
 @cache
 def best() -> Isolation:
-    """Bubblewrap if it works on this machine, else ``Separate``.  Each is tried once, by drawing a picture in it."""
-    from glsim.course.isolation.bubblewrap import Bubblewrap, works
+    """Bubblewrap, else Landlock with resource limits, else resource limits alone, else (not Linux) ``Separate``.
 
-    return Bubblewrap() if works() else Separate()
+    The first that works on this machine: each is tried by drawing a picture in it, once."""
+    if not sys.platform.startswith("linux"):
+        return Separate()
+    from glsim.course.isolation.bubblewrap import Bubblewrap
+    from glsim.course.isolation.limits import Landlock, Limits
+
+    ways: tuple[Isolation, ...] = (Bubblewrap(), Landlock(), Limits())
+    return next(filter(works, ways), Separate())
+
+
+def works(isolation: Isolation) -> bool:
+    """Whether a picture can be drawn in an isolation on this machine."""
+    draw = "import sys, glsim; glsim.offscreen(8, 8); open(sys.argv[1], 'w').write('drawn')"
+    with tempfile.TemporaryDirectory(prefix="glsim-") as name:
+        folder = Path(name)
+        for inside in ("work", "out"):
+            (folder / inside).mkdir()
+        try:
+            isolation.run([sys.executable, "-c", draw, str(folder / "out" / "drawn")], folder, 20.0)
+        except OSError:
+            return False
+        return (folder / "out" / "drawn").is_file()

@@ -13,19 +13,21 @@ from __future__ import annotations
 import json
 import os
 import re
-import shutil
+import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import IO
 
-from glsim.course.isolation.clean import environment
+from glsim.course.isolation.clean import environment, readable, sentence
 from glsim.course.isolation.runner import LARGEST
-from glsim.play.supervise import supervised
+from glsim.play.supervise import Outcome, supervised
 
 NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}")  # of a result
 NOBODY = 65534  # user and group
+SENDING = 1.0  # seconds that the runner has for stopping a command and sending its files
 SIZE = str(LARGEST)  # bytes of each folder in memory
 RIGHTS = ["--unshare-user", "--disable-userns", "--cap-drop", "ALL"]
 
@@ -40,32 +42,20 @@ class Bubblewrap:
         if os.geteuid() == 0:
             _give(folder)
         inner = [sys.executable, "-I", "-S", runner, str(seconds), str(folder / "out"), *command]
+        began = time.monotonic()
         with tempfile.TemporaryFile() as results:
             outcome = supervised(
                 [*_wrapper(folder), *inner],
                 cwd="/",
                 environment=environment(),
                 stdout=results.fileno(),
-                timeout=seconds,
+                stderr=subprocess.DEVNULL,
+                timeout=seconds + SENDING,
             )
             results.seek(0)
             _unpack(results, folder / "out")
-        if outcome.timed_out:
-            return f"stopped after {seconds:g} seconds: is there a loop that never ends?"
-        return "" if outcome.code == 0 else f"the process ended with exit code {outcome.code}"
-
-
-def works() -> bool:
-    """Whether a picture can be drawn in bubblewrap here."""
-    if not sys.platform.startswith("linux") or not shutil.which("bwrap"):
-        return False
-    draw = "import sys, glsim; glsim.offscreen(8, 8); open(sys.argv[1], 'w').write('drawn')"
-    with tempfile.TemporaryDirectory(prefix="glsim-") as name:
-        folder = Path(name)
-        for inside in ("work", "out"):
-            (folder / inside).mkdir()
-        Bubblewrap().run([sys.executable, "-c", draw, str(folder / "out" / "drawn")], folder, 20.0)
-        return (folder / "out" / "drawn").is_file()
+        late = outcome.code != 0 and time.monotonic() - began > seconds  # the runner has stopped it
+        return sentence(Outcome(outcome.code, outcome.timed_out or late), seconds)
 
 
 def _give(folder: Path) -> None:
@@ -93,7 +83,7 @@ def _wrapper(folder: Path) -> list[str]:
         elif os.path.isdir(f"/{name}"):
             view += ["--ro-bind", f"/{name}", f"/{name}"]
     view += ["--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--size", SIZE, "--tmpfs", "/tmp"]
-    bound = [*_readable(), str(folder)]
+    bound = [*readable(), str(folder)]
     parents = {str(parent) for path in bound for parent in Path(path).parents} - {"/", "/tmp", "/usr"}
     for path in sorted(parents | {*bound}):  # folders before what lies in them
         view += ["--ro-bind", path, path] if path in bound else ["--perms", "0755", "--dir", path]
@@ -118,15 +108,6 @@ def _wrapper(folder: Path) -> list[str]:
         "--die-with-parent",
         "--",
     ]
-
-
-def _readable() -> list[str]:
-    """What Python and glsim need to read besides /usr: folders, those that hold others first."""
-    root = Path(__file__).resolve().parents[3]
-    glsim = [root / name for name in ("glsim", "shaders", "lessons")]
-    packages = [Path(path) for path in sys.path if "site-packages" in path]
-    needed = [Path(sys.base_prefix), Path(sys.prefix), *glsim, *packages]
-    return sorted({str(path) for path in needed if path.is_dir() and not path.is_relative_to("/usr")})
 
 
 def _unpack(results: IO[bytes], out: Path) -> None:

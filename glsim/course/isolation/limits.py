@@ -1,0 +1,88 @@
+"""Isolation where bubblewrap does not work: resource limits, alone or with Landlock.
+
+For root the command runs as a user of its own, one for each run, which nothing belongs to: limits of processes do not
+hold for root, and no other process may be touched.  That user keeps one right, to read all files, because Python may
+lie in root's folder; Landlock takes it back.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import secrets
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from glsim.course.isolation import landlock
+from glsim.course.isolation.clean import ROOT, environment, readable, sentence
+from glsim.play.supervise import supervised
+
+FIRST_USER = 1 << 30  # above all users that there are
+DEVICES = ("/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom")
+
+
+class Limits:
+    """Limits of memory, processes, time and size of a file; clean environment.  Files and network are open."""
+
+    name = "resource limits"
+
+    def run(self, command: Sequence[str], folder: Path, seconds: float) -> str:
+        scratch, out = folder / "scratch", folder / "out"
+        scratch.mkdir()
+        here = Path(__file__)
+        limited = [sys.executable, "-I", "-S", str(here.with_name("runner.py")), str(seconds), "-"]
+        try:
+            outcome = supervised(
+                [*_another_user(scratch, out), *limited, *self.walls(folder), *command],
+                cwd=str(folder / "work"),
+                environment={**environment(), "TMPDIR": str(scratch)},
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                timeout=seconds,
+            )
+        finally:
+            _tidy(out, scratch)
+        return sentence(outcome, seconds)
+
+    def walls(self, folder: Path) -> list[str]:
+        """What stands before the command."""
+        return []
+
+
+class Landlock(Limits):
+    """And Landlock: reads Python, glsim and its own folder, writes ``out`` and a folder for scratch, uses no TCP."""
+
+    name = "Landlock"
+
+    def walls(self, folder: Path) -> list[str]:
+        system = [path for path in ("/usr", "/bin", "/lib", "/lib64", "/sbin", *DEVICES) if os.path.exists(path)]
+        own = [str(folder / "out"), str(folder / "scratch"), "/dev/null"]
+        rules = {"read": [*system, *readable(), str(folder)], "write": own, "names": [str(ROOT)]}
+        return [sys.executable, "-I", "-S", landlock.__file__, json.dumps(rules)]
+
+
+def _another_user(*writable: Path) -> list[str]:
+    """The command that changes the user, if this is root, who gets the folders."""
+    if os.geteuid() != 0:
+        return []
+    user = FIRST_USER + secrets.randbelow(FIRST_USER)
+    for folder in writable:
+        os.chown(folder, user, user)
+    right = "-all,+dac_read_search"
+    return ["setpriv", "--reuid", str(user), "--regid", str(user), "--clear-groups", "--no-new-privs",
+            "--inh-caps", right, "--ambient-caps", right, "--bounding-set", right, "--"]  # fmt: skip
+
+
+def _tidy(*folders: Path) -> None:
+    """Leave only regular files in folders that the command could write: no links, no folders, however deep."""
+    for folder in folders:
+        with contextlib.suppress(OSError):
+            if folder.is_symlink() or not folder.is_dir():
+                folder.unlink(missing_ok=True)
+                folder.mkdir()
+            others = [entry.path for entry in os.scandir(folder) if not entry.is_file(follow_symlinks=False)]
+            if others:
+                subprocess.run(["rm", "-rf", "--", *others], stderr=subprocess.DEVNULL, check=False)
