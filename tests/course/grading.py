@@ -22,7 +22,7 @@ SOLUTIONS, VARIANTS = HERE / "solutions", HERE / "variants"
 
 
 class Forked:
-    """For programs: a process that begins with glsim imported, which is ten times as quick as a new Python."""
+    """For programs: a process that begins with glsim imported already, which is several times as quick."""
 
     name = "forked"
 
