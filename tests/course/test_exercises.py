@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from glsim.cli import main
 from glsim.course.asking import Answers
 from glsim.course.cells import lessons
 from glsim.course.checking import judged
@@ -75,3 +76,10 @@ def test_no_text_of_an_exercise_holds_its_solution(one: Exercise) -> None:
     code = [line.strip() for line in solution_of(one).splitlines() if line.strip().startswith("return ")]
     shown = one.definition.starter + "\n".join(hints(one)) + one.statement
     assert not [line for line in code if len(line) > 16 and line in shown]
+
+
+def test_a_shown_statement_keeps_the_signs_of_its_formulas(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["exercise", "show", "area_light"]) == 0
+    shown = capsys.readouterr().out
+    assert r"$\mathbf{\Gamma}_k$" in shown
+    assert r"\sum_k \gamma_k\," in shown
