@@ -83,12 +83,12 @@ def _judge_picture(exercise: Exercise, part: Picture, frame: Frame) -> Mark:
     from glsim.render.context import own_screen
 
     expected = np.asarray(Image.open(exercise.path.parent / part.name).convert("RGB"))
-    with own_screen(frame.width, frame.height) as screen:
+    height, width = expected.shape[:2]
+    if (frame.width, frame.height) != (width, height):
+        return mark(part, f"the picture has {frame.width} x {frame.height} pixels, and {width} x {height} are expected")
+    with own_screen(width, height) as screen:
         screen.execute(frame.packets)
         actual = np.ascontiguousarray(screen.pixels()[..., :3])
-    if actual.shape != expected.shape:
-        height, width = expected.shape[:2]
-        return mark(part, f"the picture has {frame.width} x {frame.height} pixels, and {width} x {height} are expected")
     return mark(part, "" if _alike(expected, actual) else part.hint, expected=expected, actual=actual)
 
 

@@ -1,84 +1,162 @@
-"""Hostile files in bubblewrap: each is contained, gets an honest mark, and the next file is judged as usual."""
+"""Hostile files in each isolation: ISOLATION.md says what is contained; others are judged as usual meanwhile."""
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import socket
+import subprocess
 import sys
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
 import glsim
-from glsim.course.checking import check
-from glsim.course.exercise import exercises
-from glsim.course.isolation.bubblewrap import Bubblewrap, works
+from glsim.course import isolation as isolations
+from glsim.course.answering import answered
+from glsim.course.asking import request_for
+from glsim.course.checking import Result, check
+from glsim.course.exercise import Exercise, exercises, read
+from glsim.course.isolation import Isolation, best, works
+from glsim.course.isolation.bubblewrap import Bubblewrap
+from glsim.course.isolation.landlock import abi
+from glsim.course.isolation.limits import Landlock, Limits
+from tests.course.attacks import ATTACKS, DRAWN, FORGERIES, PROBE, Attack
 from tests.course.grading import solution_of
 
-pytestmark = [pytest.mark.slow, pytest.mark.skipif(not works(), reason="bubblewrap does not work here")]
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform != "linux", reason="isolation is for Linux")]
 ONE = exercises()[0]
-TAMPER = "import glsim, numpy\nnumpy.allclose = numpy.isclose = lambda *a, **k: True\n"
-ATTACKS = {
-    "endless loop": "while True: pass",
-    "fork bomb": "import os\nwhile True:\n    try: os.fork()\n    except OSError: pass",
-    "allocation": "x = bytearray(50 << 30)",
-    "file": "f = open('/tmp/x', 'wb')\nwhile True: f.write(bytes(1 << 20))",
-    "exit": "import os\nos._exit(0)",
-    "kill all": "import os\nos.kill(os.getppid(), 9)\nos.kill(-1, 9)",
-    "a fake result": 'print(\'{"answers": [{"value": 1}]}\')',
-    "tampering": TAMPER,
-    "print": "while True: print('x' * (1 << 20))",
-    "link": "import os\nos.symlink('/etc/passwd', __file__.replace('work/', 'out/x'))",
-    "syntax": "def (",
-    "not a text": "x = '\udcff'",
-    "daemon": "import os, time\nif not os.fork():\n    os.setsid()\n    if not os.fork(): time.sleep(99)",
-}
-
-
-@pytest.mark.parametrize("name", ATTACKS)
-def test_no_points_and_the_next_is_judged(name: str, tmp_path: Path) -> None:
-    path, good = tmp_path / "bad.py", tmp_path / "good.py"
-    path.write_text(ATTACKS[name], encoding="utf-8", errors="surrogateescape")
-    good.write_text(solution_of(ONE), encoding="utf-8")
-    assert check(ONE, path, Bubblewrap(), 1.5).points == 0
-    result = check(ONE, good, Bubblewrap())
-    assert (result.points, result.note) == (ONE.points, "")
-
-
-PROBE = """\
-import ctypes, os, socket, sys
-libc = ctypes.CDLL(None, use_errno=True)
-done = []
-def attempt(name, action):
-    try:
-        if action() != -1: done.append(name)
-    except OSError:
-        pass
-attempt("write home", lambda: open(os.path.expanduser("~/.bashrc"), "a"))
-attempt("write package", lambda: open(sys.argv[1], "a"))
-attempt("read secret", lambda: open(sys.argv[2]))
-attempt("connect", lambda: socket.create_connection(("127.0.0.1", int(sys.argv[3])), 0.5))
-attempt("see parent", lambda: open(f"/proc/{sys.argv[4]}/environ"))
-attempt("kill parent", lambda: os.kill(int(sys.argv[4]), 0))
-attempt("trace", lambda: libc.ptrace(16, int(sys.argv[4]), 0, 0))
-attempt("mount", lambda: libc.mount(b"x", b"/tmp", b"tmpfs", 0, None))
-attempt("user namespace", lambda: libc.unshare(0x10000000))
-if os.getuid() == 0: done.append("root")
-open(sys.argv[5], "w").write("tried:" + ",".join(done))
+RIGHT = 3  # right files among the attacks
+PROBED = {*re.findall(r'attempt\("(.+?)",', PROBE), "being root"}
+ALL = {**ATTACKS, **FORGERIES, **DRAWN}
+WAYS: tuple[Isolation, ...] = (Bubblewrap(), Landlock(), Limits())
+EXERCISE = """\
+"A picture"
+from glsim.course.exercise import Definition, Picture
+EXERCISE = Definition("picture", 1, "", [Picture("the picture", "picture.png", "differs")], program=True)
 """
 
 
-def test_nothing_outside_is_reached(tmp_path: Path) -> None:
-    """Other submissions, the solution, the network, the parent's process, glsim's files, the rights of root."""
-    secret = tmp_path / "secret.py"
-    secret.write_text("the solution")
-    folder = tmp_path / "run"
-    (folder / "work").mkdir(parents=True)
-    (folder / "out").mkdir()
+@cache
+def contained(name: str) -> dict[str, bool]:
+    """What the table says of an isolation, for the user who runs the tests: attack -> whether it is contained."""
+    text = Path(isolations.__file__).parents[1].joinpath("ISOLATION.md").read_text(encoding="utf-8")
+    rows = [[cell.strip() for cell in line.strip("| ").split("|")] for line in text.splitlines() if line[:1] == "|"]
+    column = rows[0].index(name)
+    words = {"yes": True, "no": False, "for root": os.geteuid() == 0}
+    return {row[0]: words[row[column]] for row in rows[2:]}
+
+
+@pytest.fixture(scope="module", params=WAYS, ids=lambda way: way.name)
+def way(request: pytest.FixtureRequest) -> Isolation:
+    isolation: Isolation = request.param
+    if not works(isolation) or (isolation.name == "Landlock" and abi() < 6):
+        pytest.skip(f"{isolation.name} does not work here")
+    return isolation
+
+
+@pytest.fixture(scope="module")
+def drawing(tmp_path_factory: pytest.TempPathFactory) -> Exercise:
+    folder = tmp_path_factory.mktemp("exercise")
+    (folder / "01_picture.py").write_text(EXERCISE)
+    Image.new("RGB", (32, 32), (255, 128, 0)).save(folder / "picture.png")
+    return read(folder / "01_picture.py")
+
+
+@pytest.fixture(scope="module")
+def results(way: Isolation, drawing: Exercise, tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Result]]:
+    """The results of all attacks, which run at the same time as right files (their names begin with "right")."""
+    folder = tmp_path_factory.mktemp("attacks")
+    secret = folder / "secret"
+    good = folder / "good.py"
+    good.write_text(solution_of(ONE))
+    secret.write_text(json.dumps(answered(request_for(ONE, good, folder))))
+    daemon = f"glsim-daemon-{os.getpid()}-{time.time_ns()}"
+    attacks = ALL if way.name == best().name else dict(ATTACKS)
+    if not contained(way.name)["killing all it can"]:
+        attacks = {name: attacks[name] for name in attacks if name != "killing all it can"}  # it would kill the tests
+    jobs = list(attacks)
+    for k in range(RIGHT):
+        jobs.insert(4 * k + 1, f"right {k}")
+
+    def result(name: str) -> Result:
+        attack = attacks.get(name, Attack("RIGHT"))
+        path = folder / f"{jobs.index(name)}.py"
+        text = attack.text.replace("RIGHT", solution_of(ONE)).replace("SECRET", str(secret)).replace("DAEMON", daemon)
+        text = text.replace("PARTS", ", ".join(['{"value": [1.0]}'] * len(ONE.definition.parts)))
+        path.write_text(text, encoding="utf-8", errors="surrogateescape")
+        return check(drawing if name in DRAWN else ONE, path, way, attack.seconds)
+
+    with ThreadPoolExecutor(3) as pool:
+        yield dict(zip(jobs, pool.map(result, jobs), strict=True))
+    processes = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True).stdout
+    assert daemon not in processes
+    assert not list(folder.glob("secret-*")), "something was unpickled"
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_an_attack_gets_an_honest_mark(name: str, way: Isolation, results: dict[str, Result]) -> None:
+    if name not in results:
+        pytest.skip("the same in the best isolation, or not contained and not to be tried")
+    result, attack = results[name], ALL[name]
+    assert result.isolation == way.name
+    if attack.hint and contained(way.name)[name]:
+        assert result.points == 0
+        assert result.first_failure is not None
+        assert attack.hint in result.first_failure.hint
+    else:  # the attack did not disturb its own marks
+        assert (result.points, result.note) == (ONE.points, "")
+    assert len(result.printed) <= 500
+
+
+def test_right_files_at_the_same_time_get_all_points(results: dict[str, Result]) -> None:
+    found = [(results[f"right {k}"].points, results[f"right {k}"].note) for k in range(RIGHT)]
+    assert found == [(ONE.points, "")] * RIGHT
+
+
+def test_only_what_the_table_says_is_reached(way: Isolation, tmp_path: Path) -> None:
+    """Files, network and processes outside."""
+    folder, home, secret = tmp_path / "run", tmp_path / "home", tmp_path / "secret"
+    for path in (folder / "work", folder / "out"):
+        path.mkdir(parents=True)
+    for path in (home, secret):
+        path.write_text("the teacher's")
+        path.chmod(0o600)
     (folder / "work" / "probe.py").write_text(PROBE)
-    with socket.create_server(("127.0.0.1", 0)) as server:
-        port = server.getsockname()[1]
-        command = [sys.executable, str(folder / "work" / "probe.py"), str(glsim.__file__), str(secret), str(port),
-                   str(os.getpid()), str(folder / "out" / "tried")]  # fmt: skip
-        assert Bubblewrap().run(command, folder, 10.0) == ""
-    assert (folder / "out" / "tried").read_text() == "tried:"
+    result = folder / "out" / "result"
+    facts = {"home": str(home), "secret": str(secret), "package": glsim.__file__, "pid": os.getpid(),
+             "folder": str(folder / "out"), "result": str(result), "abstract": f"\0glsim-{os.getpid()}"}  # fmt: skip
+    with (
+        socket.create_server(("127.0.0.1", 0)) as tcp,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as udp,
+        socket.socket(socket.AF_UNIX) as abstract,
+    ):
+        udp.bind(("127.0.0.1", 0))
+        udp.setblocking(False)
+        abstract.bind(facts["abstract"])
+        abstract.listen()
+        facts.update(tcp=tcp.getsockname()[1], udp=udp.getsockname()[1])
+        command = [sys.executable, str(folder / "work" / "probe.py"), json.dumps(facts)]
+        assert way.run(command, folder, 20.0) == ""
+        reached = set(json.loads(result.read_text()))
+        try:
+            udp.recv(1)
+        except BlockingIOError:
+            reached.discard("UDP")  # sent into a network of its own
+    table = contained(way.name)
+    assert reached == {name for name in table if name in PROBED and not table[name]}
+
+
+def test_the_table_has_all_attacks() -> None:
+    assert set(contained("bubblewrap")) == {*ALL, *PROBED}
+
+
+def test_the_best_that_works_is_taken() -> None:
+    assert best() is best()
+    assert best().name == next(way.name for way in WAYS if works(way))

@@ -19,10 +19,12 @@ from typing import Any
 import pytest
 
 from glsim.cli import main
+from glsim.course.asking import Answers
+from glsim.course.checking import judged
 from glsim.course.exercise import exercise, exercises
 from glsim.course.grading import run
 from glsim.course.grading.record import Record, Store
-from glsim.course.grading.submissions import submissions
+from glsim.course.grading.submissions import Submission, submissions
 from tests.course.grading import SOLUTIONS, changed, solution_of, variants_of
 
 LAMBERT, SNELL, GLSL = exercise("lambert"), exercise("snell"), exercise("33")
@@ -198,7 +200,7 @@ def test_a_crash_of_the_grader_fails_one_submission_alone(tmp_path: Path, monkey
         (tmp_path / name).mkdir()
         (tmp_path / name / LAMBERT.filename).write_text("crash" if number in (3, 6) else "x = 1")
     monkeypatch.setattr(run, "graded", crash)
-    monkeypatch.setattr(run, "_check_machine", lambda one: None)
+    monkeypatch.setattr(run, "_check_machine", lambda: None)
     records = list(run.grade(submissions(tmp_path), [LAMBERT], jobs=2, seconds=5.0))
     assert len(records) == 8
     assert {record.submission for record in records if record.failure} == {order[3], order[6]}
@@ -215,7 +217,7 @@ def test_a_failure_is_no_mark(
         raise OSError("no space left")
 
     monkeypatch.setattr(run, "check", fail)
-    monkeypatch.setattr(run, "_check_machine", lambda one: None)
+    monkeypatch.setattr(run, "_check_machine", lambda: None)
     monkeypatch.setattr(run, "_all", lambda tasks, jobs: map(run.graded, tasks))
     for name in ("gradescope", "classroom50"):
         assert grade(*words, "--format", name) == 1
@@ -225,13 +227,35 @@ def test_a_failure_is_no_mark(
     assert json.loads(capsys.readouterr().out)["status"] == "failures"
 
 
+def test_what_the_system_refuses_to_read_is_no_mark(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A folder without permissions; and whatever else goes wrong with one submission, the others have their marks."""
+    for name in ("ann", "bob", "eve"):
+        (tmp_path / "all" / name).mkdir(parents=True)
+    original = run.choose
+
+    def refusing(submission: Submission, *rest: Any) -> Any:
+        if submission.name == "bob":
+            raise PermissionError(13, "Permission denied", "x\udcff")
+        return original(submission, *rest)
+
+    monkeypatch.setattr(run, "choose", refusing)
+    assert grade(str(tmp_path / "all"), "--exercise", "3,5", "-o", str(tmp_path / "marks"), "--format", "csv") == 1
+    errors = capsys.readouterr().err
+    assert "bob, 03_lambert: not graded: PermissionError: [Errno 13] Permission denied" in errors
+    assert "ann" not in errors
+    assert "bob,,,,10," in (tmp_path / "marks" / "marks.csv").read_text()
+
+
 def test_a_machine_on_which_nothing_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "03_lambert.py").write_text("x = 1")
-    monkeypatch.setattr(run, "check", lambda *arguments: run.Result(LAMBERT, (), note="bwrap: no permission"))
+    answers = Answers([{"error": "bwrap: no permission"}])
+    monkeypatch.setattr(run, "check", lambda one, *rest: judged(one, answers))
     assert grade(str(tmp_path), "--exercise", "3", "-o", str(tmp_path / "marks")) == 1
-    assert "the starter of 03_lambert does not run: bwrap: no permission" in capsys.readouterr().err
+    assert "nothing can be graded here (" in capsys.readouterr().err
 
 
 def test_wrong_command_lines(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

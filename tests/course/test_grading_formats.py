@@ -169,7 +169,7 @@ def test_csv_and_json(tmp_path: Path) -> None:
     assert rows[0] == ["submission", "03_lambert", "05_snell", "points", "of", "first hint"]
     assert rows[1][0] == "'" + EVIL, "a spreadsheet would take it for a formula"
     assert rows[1][1:5] == ["2", "2", "4", "10"]
-    assert rows[2][:4] == ["bob", "", "", "2"]
+    assert rows[2][:4] == ["bob", "", "", ""], "without a mark there is no sum"
     document = json.loads(tables.write_json(tmp_path, graded).read_text(encoding="utf-8"))
     assert document["submissions"][0]["submission"] == EVIL
     assert document["submissions"][1]["marks"][0]["points"] is None

@@ -174,6 +174,20 @@ def test_archives_that_cannot_be_read_get_a_sentence(tmp_path: Path) -> None:
     assert "student.tar.gz: of archives only zip is opened" in str(chosen(tmp_path / "student.tar.gz")[0])
 
 
+def test_folders_without_end(tmp_path: Path) -> None:
+    """A file is found in some of them; a thousand are not walked through."""
+    path = tmp_path / "student"
+    path.mkdir()
+    folder = path
+    for _ in range(60):
+        folder = folder / "a"
+        folder.mkdir()
+    (folder / "03_lambert.py").write_bytes(TEXT)
+    assert chosen(path) == ["there is no file 03_lambert.py"]
+    (path / "a" / "a" / "a" / "03_lambert.py").write_bytes(TEXT)
+    assert chosen(path) == [Chosen("a/a/a/03_lambert.py", TEXT)]
+
+
 def test_a_file_that_is_none_or_too_large(tmp_path: Path) -> None:
     (tmp_path / "student").mkdir()
     os.mkfifo(tmp_path / "student" / "03_lambert.py")

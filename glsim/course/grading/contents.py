@@ -20,6 +20,7 @@ from glsim.files import read_regular
 MOST_BYTES = 1 << 20  # of a student's file
 MOST_ARCHIVE = 1 << 26  # bytes of a zip archive
 MOST_FILES = 5000  # of a submission that are looked at
+DEEPEST = 40  # folders within folders
 JUNK = {
     "__MACOSX",
     ".DS_Store",
@@ -59,7 +60,9 @@ def is_junk(name: str) -> bool:
 
 
 def contents(paths: Sequence[Path]) -> tuple[list[Candidate], list[str]]:
-    """The files of a submission, those of its zip archives too, and sentences about what could not be opened."""
+    """The files of a submission, those of its zip archives too, and sentences about what could not be opened.
+
+    Raises OSError if the teacher's own system refuses to read something."""
     files: list[Candidate] = []
     problems: list[str] = []
     for path, place in _walked(paths):
@@ -86,12 +89,17 @@ def _walked(paths: Sequence[Path]) -> Iterator[tuple[Path, str]]:
         if not top.is_dir() or top.is_symlink():
             yield top, top.name
             continue
-        for folder, folders, names in os.walk(top):
-            folders[:] = sorted(name for name in folders if not is_junk(name))
+        for folder, folders, names in os.walk(top, onerror=_refuse):
+            depth = len(Path(folder).relative_to(top).parts)
+            folders[:] = sorted(name for name in folders if not is_junk(name)) if depth < DEEPEST else []
             for name in sorted(names):
                 if not is_junk(name):
                     path = Path(folder, name)
                     yield path, path.relative_to(top).as_posix()
+
+
+def _refuse(error: OSError) -> None:
+    raise error
 
 
 def _read_file(path: Path, place: str, most: int = MOST_BYTES) -> bytes:
@@ -99,13 +107,13 @@ def _read_file(path: Path, place: str, most: int = MOST_BYTES) -> bytes:
         return read_regular(path, most)
     except ValueError:
         raise UnusableError(f"{shown(place)} is no ordinary file, or has more than {most >> 20} MiB") from None
-    except OSError as error:
-        raise UnusableError(f"{shown(place)} cannot be read: {error.strerror}") from None
 
 
 def _members(path: Path, place: str, problems: list[str]) -> list[Candidate]:
     """The files of a zip archive.  Raises UnusableError if it is none."""
     data = _read_file(path, place, MOST_ARCHIVE)
+    if data.count(b"PK\x01\x02") > 4 * MOST_FILES:  # before a list of millions of names is built
+        raise UnusableError(f"{shown(place)} has too many files; at most {MOST_FILES} are looked at")
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             infos = archive.infolist()

@@ -20,11 +20,10 @@ from functools import cache
 from pathlib import Path
 
 from glsim.course.checking import Result, check, side_by_side
-from glsim.course.exercise import Exercise, Picture, exercises, read
+from glsim.course.exercise import Definition, Exercise, Picture, Value, exercises, read
 from glsim.course.grading.contents import shown
 from glsim.course.grading.record import Part, Record, Store
 from glsim.course.grading.submissions import Chosen, Submission, choose
-from glsim.course.handout import starter
 from glsim.course.isolation import best
 from glsim.course.judging import Mark
 from glsim.version import __version__
@@ -63,19 +62,29 @@ def grade(
     known = exercises(wanted[0].path.parent)
     tasks: list[Task] = []
     for submission in submissions:
-        for one, chosen in zip(wanted, choose(submission, wanted, known), strict=True):
+        for one, chosen in zip(wanted, _chosen(submission, wanted, known), strict=True):
             task = _task(submission, one, chosen, seconds)
             old = store.read(submission.slug, one.name) if store and resume else None
             if old is not None and old.key == task.blank.key and not old.failure:
                 yield old
-            elif isinstance(chosen, str):
+            elif not isinstance(chosen, Chosen):
                 yield _kept(store, task.blank)
             else:
                 tasks.append(task)
     if tasks:
-        _check_machine(wanted[0])
+        _check_machine()
         for record in _all(tasks, jobs):
             yield _kept(store, record)
+
+
+def _chosen(
+    submission: Submission, wanted: Sequence[Exercise], known: Sequence[Exercise]
+) -> Sequence[Chosen | str | Exception]:
+    """As ``choose``; the exception for each exercise if the submission cannot be read, which is no student's fault."""
+    try:
+        return choose(submission, wanted, known)
+    except Exception as error:  # whatever one submission does, the others are graded
+        return [error] * len(wanted)
 
 
 def _kept(store: Store | None, record: Record) -> Record:
@@ -84,9 +93,9 @@ def _kept(store: Store | None, record: Record) -> Record:
     return record
 
 
-def _task(submission: Submission, one: Exercise, chosen: Chosen | str, seconds: float) -> Task:
+def _task(submission: Submission, one: Exercise, chosen: Chosen | str | Exception, seconds: float) -> Task:
     data = chosen.data if isinstance(chosen, Chosen) else b""
-    about = (chosen.place, chosen.note) if isinstance(chosen, Chosen) else (chosen,)
+    about = (chosen.place, chosen.note) if isinstance(chosen, Chosen) else (str(chosen),)
     key = hashlib.sha256(repr((__version__, seconds, _fingerprint(one), about)).encode() + data)
     blank = Record(
         submission.name,
@@ -95,8 +104,9 @@ def _task(submission: Submission, one: Exercise, chosen: Chosen | str, seconds: 
         one.title,
         tuple(Part(part.about, 0, part.points) for part in one.definition.parts),
         file=chosen.place if isinstance(chosen, Chosen) else "",
-        note=chosen.note if isinstance(chosen, Chosen) else chosen,
+        note=chosen.note if isinstance(chosen, Chosen) else chosen if isinstance(chosen, str) else "",
         key=key.hexdigest(),
+        failure=_failure(chosen) if isinstance(chosen, Exception) else "",
     )
     return Task(blank, one.path, data, seconds)
 
@@ -107,16 +117,15 @@ def _fingerprint(one: Exercise) -> str:
     return hashlib.sha256(b"".join(path.read_bytes() for path in [one.path, *pictures])).hexdigest()
 
 
-def _check_machine(one: Exercise) -> None:
-    """Raises GradingError if the file that every student begins with cannot even be run."""
+def _check_machine() -> None:
+    """Raises GradingError if not even a file of one line can be run and judged."""
+    part = Value("a number", {"x": 1}, "")
     with tempfile.TemporaryDirectory(prefix="glsim-") as folder:
-        path = Path(folder) / one.filename
-        path.write_text(starter(one), encoding="utf-8")
-        note = check(one, path, best()).note
-    if note:
-        raise GradingError(
-            f"nothing can be graded here ({best().name}): the starter of {one.name} does not run: {note}"
-        )
+        path = Path(folder) / "00_trial.py"
+        path.write_text("x = 1\n", encoding="utf-8")
+        result = check(Exercise(path, 0, "", Definition("trial", 0, "", [part])), path, best())
+    if result.first_failure:
+        raise GradingError(f"nothing can be graded here ({best().name}): {result.first_failure.hint}")
 
 
 # ---------------------------------------------------------------- processes
@@ -189,10 +198,12 @@ def graded(task: Task) -> Record:
             path.write_bytes(task.data)
             result = check(one, path, best(), task.seconds)
     except Exception as error:  # whatever it is, it is no mark
-        return replace(
-            task.blank, failure=shown(f"{type(error).__name__}: {error}")[:500], seconds=time.monotonic() - began
-        )
+        return replace(task.blank, failure=_failure(error), seconds=time.monotonic() - began)
     return _record(task.blank, result, time.monotonic() - began)
+
+
+def _failure(error: Exception) -> str:
+    return shown(f"{type(error).__name__}: {error}")[:500]
 
 
 def _record(blank: Record, result: Result, seconds: float) -> Record:

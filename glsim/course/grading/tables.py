@@ -64,7 +64,8 @@ def write_csv(folder: Path, totals: Sequence[Total]) -> Path:
     for total in totals:
         marks = {record.exercise: "" if record.failure else record.points for record in total.records}
         points = [marks.get(name, "") for name in names]
-        rows.writerow([_cell(total.submission), *points, total.points, total.most, _cell(first_sentence(total))])
+        sum_ = "" if "" in points else total.points
+        rows.writerow([_cell(total.submission), *points, sum_, total.most, _cell(first_sentence(total))])
     path = folder / "marks.csv"
     write_text(path, text.getvalue())
     return path

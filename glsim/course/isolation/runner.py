@@ -75,12 +75,13 @@ def send(path: str) -> None:
         file = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
     except OSError:
         return
-    with open(file, "rb") as opened:
-        facts = os.fstat(opened.fileno())
-        if stat.S_ISREG(facts.st_mode) and facts.st_size <= LARGEST:
+    facts = os.fstat(file)
+    if stat.S_ISREG(facts.st_mode) and facts.st_size <= LARGEST:
+        with open(file, "rb", closefd=False) as opened:
             line = json.dumps({"name": os.path.basename(path), "size": facts.st_size}).encode() + b"\n"
             sys.stdout.buffer.write(line + opened.read(facts.st_size))
             sys.stdout.buffer.flush()
+    os.close(file)
 
 
 if __name__ == "__main__":
