@@ -150,7 +150,10 @@ def test_only_what_the_table_says_is_reached(way: Isolation, tmp_path: Path) -> 
         except BlockingIOError:
             reached.discard("UDP")  # sent into a network of its own
     table = contained(way.name)
-    assert reached == {name for name in table if name in PROBED and not table[name]}
+    expected = {name for name in PROBED if not table[name]}
+    if not os.access(glsim.__file__, os.W_OK):  # glsim belongs to another user
+        expected.discard("writing glsim's files")
+    assert reached == expected
 
 
 def test_the_table_has_all_attacks() -> None:
