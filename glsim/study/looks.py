@@ -53,8 +53,8 @@ class Look(NamedTuple):
 
     @property
     def label(self) -> str:
-        """As a heading: "Phong (N·H)^n, flip"."""
-        lobe = " " + LOBES[self.lobe].split("  ")[1] if self.lobe else ""
+        """As a heading: "Phong shading, (N·H)^n, flip"."""
+        lobe = " shading, " + LOBES[self.lobe].split("  ")[1] if self.lobe else ""
         return MODES[self.mode].label + lobe + (f", {self.back}" if self.back else "")
 
     @property

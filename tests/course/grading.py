@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import importlib.util
+import multiprocessing
+import os
+import runpy
+import sys
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from types import ModuleType
@@ -14,6 +19,31 @@ from glsim.course.exercise import Exercise
 
 HERE = Path(__file__).parent
 SOLUTIONS, VARIANTS = HERE / "solutions", HERE / "variants"
+
+
+class Forked:
+    """For programs: a process that begins with glsim imported, which is ten times as quick as a new Python."""
+
+    name = "forked"
+
+    def run(self, command: Sequence[str], folder: Path, seconds: float) -> str:
+        """Run ``python -P -m module arguments...``, as the isolations of glsim.course do."""
+        context = multiprocessing.get_context("forkserver")
+        context.set_forkserver_preload(["glsim.play.player", "glsim.play.capture", "glsim.glut.shapes", "glsim.glu"])
+        process = context.Process(target=_run_module, args=(command[3:], str(folder / "work")))
+        process.start()
+        process.join(seconds)
+        if process.is_alive():
+            process.kill()
+            process.join()
+            return f"stopped after {seconds:g} seconds"
+        return "" if process.exitcode == 0 else f"the process ended with exit code {process.exitcode}"
+
+
+def _run_module(command: Sequence[str], folder: str) -> None:
+    os.chdir(folder)
+    sys.argv[1:] = command[1:]
+    runpy.run_module(command[0], run_name="__main__", alter_sys=True)
 
 
 def solution_of(exercise: Exercise) -> str:
@@ -51,6 +81,6 @@ def marks_of(exercise: Exercise, text: str, folder: Path) -> Result:
     path = folder / exercise.filename
     path.write_text(text, encoding="utf-8")
     if exercise.definition.program:
-        return check(exercise, path)
+        return check(exercise, path, Forked())
     document = answered(request_for(exercise, path, folder))
     return judged(exercise, Answers(document["answers"], printed=document["printed"]))

@@ -13,7 +13,7 @@ from tests.course.grading import VARIANTS, changed, marks_of, solution_of, varia
 
 EXERCISES = exercises()
 WRONG = [
-    pytest.param(one, name, id=f"{one.name}-{name}")
+    pytest.param(one, name, id=f"{one.name}-{name}", marks=pytest.mark.slow if one.definition.program else ())
     for one in EXERCISES
     if (VARIANTS / f"{one.name}.py").exists()
     for name in variants_of(one.name).WRONG

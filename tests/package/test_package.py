@@ -16,6 +16,8 @@ import numpy as np
 import pytest
 
 import glsim
+from glsim.course.exercise import exercise
+from glsim.course.handout import write_starter
 from glsim.play.frames import frame_of
 from glsim.web.page import SCRIPTS
 
@@ -114,15 +116,16 @@ COMMANDS = [
 def test_the_readme_has_commands() -> None:
     assert len(COMMANDS) >= 20
     assert {line.split()[1] for line in COMMANDS} == {
-        "compare", "exercise", "explain", "lesson", "probe", "radiosity", "run", "terms", "trace",
+        "compare", "exercise", "explain", "grade", "lesson", "probe", "radiosity", "run", "terms", "trace",
     }  # fmt: skip
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda line: line.partition("#")[0].strip())
 def test_glsim_commands_of_the_readme(command: str, tmp_path: Path) -> None:
-    """In a folder with nothing but the README's teapot.py; what a command is to write is there afterwards."""
+    """In a folder with the README's teapot.py and a submission; what a command is to write is there afterwards."""
     (tmp_path / "teapot.py").write_text(blocks("py")[0])
+    write_starter(exercise("3"), tmp_path / "submissions" / "ann")
     words = shlex.split(command, comments=True)[1:]
     run(sys.executable, "-m", "glsim", *words, cwd=tmp_path, PYTHONPATH=str(ROOT))
     written = [name for option, name in pairwise(words) if option in ("-o", "--out", "--gif", "--json", "--direct")]
