@@ -67,6 +67,15 @@ def inserted(P, polygon, m, wrap=False):
     return np.array([*polygon[:k], m, *polygon[k:]])
 
 
+def on_first_line(P, polygon, m):
+    """The vertex inserted into the first edge on whose line it lies, though it may be beyond its ends."""
+    for k in range(len(polygon)):
+        A, B = P[polygon[k]], P[polygon[(k + 1) % len(polygon)]]
+        if np.linalg.norm(np.cross(B - A, P[m] - A)) < 1e-9:
+            return np.array([m, *polygon[k + 1 :], *polygon[: k + 1]])
+    return np.array(polygon)
+
+
 def nearest(P, polygon, m):
     """The vertex inserted after the nearest one, whichever edge that is."""
     k = int(np.argmin(np.linalg.norm(P[list(polygon)] - P[m], axis=1))) + 1
@@ -99,7 +108,10 @@ def wall(k, which, seed):
 
 
 SQUARE = np.array([[-1.0, -1, 0], [0.0, -1, 0], [0.0, 1, 0], [-1.0, 1, 0], [0.0, 0, 0]])
-WALLS = [(SQUARE, [0, 1, 2, 3], 4)]
+TWICE = 0.5 * np.array(  # two edges on one line: mended once already
+    [[-1.0, -1, 0], [0, -1, 0], [0, -0.3, 0], [0, 1, 0], [-1, 1, 0], [0, 0.5, 0]]
+)
+WALLS = [(SQUARE, [0, 1, 2, 3], 4), (TWICE, [0, 1, 2, 3, 4], 5)]
 WALLS += [wall(k, which, 10 * k + which) for k in (3, 4, 5, 6) for which in range(k)]
 
 EXERCISE = Definition(
@@ -150,6 +162,7 @@ EXERCISE = Definition(
                 Mistake(lambda P, p, m: np.array([m, *p]), "The vertex was put before the first one, whichever edge it is on: the polygon crosses itself."),
                 Mistake(lambda P, p, m: np.array([*p, m]), "The vertex was put at the end, whichever edge it is on: the polygon crosses itself."),
                 Mistake(lambda P, p, m: np.array([m, *mended(P, p, m)[:0:-1]]), "The polygon goes round the wrong way now: it would be a back face."),
+                Mistake(on_first_line, "The point lies on the line of this edge, but beyond its ends: two edges may lie on one line. Test that it is between them, too."),
                 Mistake(nearest, "The vertex was put after the nearest one; it may lie on the edge before that. Look for the edge."),
                 Mistake(lambda P, p, m: np.array([m, *np.roll(mended(P, p, m)[1:], 1)]), "The polygon goes on one vertex too early: after the new vertex comes the end of its edge."),
                 Mistake(lambda P, p, m: np.array([m, *np.roll(mended(P, p, m)[1:], -1)]), "The polygon goes on one vertex too late: after the new vertex comes the end of its edge."),

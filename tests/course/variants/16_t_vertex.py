@@ -65,6 +65,7 @@ WRONG = {
     "at the end": ([(MENDED, "[*polygon, m]")], "at the end"),
     "back face": ([(MENDED, "[m, *[*polygon[k:], *polygon[:k]][::-1]]")], "would be a back face"),
     "too late": ([(MENDED, "[m, *polygon[k + 1 :], *polygon[: k + 1]]")], "too late"),
+    "line without ends": ([(" and (A - P[m]) @ (B - P[m]) < 0", "")], "beyond its ends"),
     "any line": ([("on_the_line and (A", "(A")], "Look for the edge"),
     "no vertex": ([(MENDED, "polygon")], "expected: 5 numbers"),
 }  # fmt: skip
