@@ -22,7 +22,7 @@ from glsim.course import isolation as isolations
 from glsim.course.answering import answered
 from glsim.course.asking import request_for
 from glsim.course.checking import Result, check
-from glsim.course.exercise import Exercise, exercises, read
+from glsim.course.exercise import Exercise, exercise, read
 from glsim.course.isolation import Isolation, best, works
 from glsim.course.isolation.bubblewrap import Bubblewrap
 from glsim.course.isolation.landlock import abi
@@ -31,7 +31,7 @@ from tests.course.attacks import ATTACKS, DRAWN, FORGERIES, PROBE, Attack
 from tests.course.grading import solution_of
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform != "linux", reason="isolation is for Linux")]
-ONE = exercises()[0]
+ONE = exercise("lambert")
 RIGHT = 3  # right files among the attacks
 PROBED = {*re.findall(r'attempt\("(.+?)",', PROBE), "being root"}
 ALL = {**ATTACKS, **FORGERIES, **DRAWN}
@@ -165,6 +165,16 @@ def test_a_timeout_keeps_what_was_written(way: Isolation, tmp_path: Path, capfd:
     assert way.run([sys.executable, "-c", program], tmp_path, 0.8).startswith("stopped after 0.8 seconds")
     assert written.read_text() == "begun"
     assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("end", ["while True: pass", "import os; os._exit(0)"])
+def test_what_was_answered_before_the_end_counts(end: str, tmp_path: Path) -> None:
+    path = tmp_path / "half.py"
+    path.write_text(f"{solution_of(ONE)}\n\ndef diffuse(*arguments):\n    {end}\n")
+    marks = check(ONE, path, best(), 2.0).marks
+    wanted = [0 if part.function == "diffuse" else part.points for part in ONE.definition.parts]
+    assert [mark.points for mark in marks] == wanted
+    assert 0 < sum(wanted) < ONE.points
 
 
 def test_the_table_has_all_attacks() -> None:
