@@ -8,6 +8,7 @@ import re
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -120,14 +121,22 @@ def test_right_files_at_the_same_time_get_all_points(results: dict[str, Result])
     assert found == [(ONE.points, "")] * RIGHT
 
 
-def test_only_what_the_table_says_is_reached(way: Isolation, tmp_path: Path) -> None:
+@pytest.fixture
+def place() -> Iterator[Path]:
+    """A folder that every user may enter, as those of ``ask`` are; pytest's own may not be."""
+    with tempfile.TemporaryDirectory() as name:
+        os.chmod(name, 0o755)
+        yield Path(name)
+
+
+def test_only_what_the_table_says_is_reached(way: Isolation, place: Path) -> None:
     """Files, network and processes outside."""
-    folder, home, secret = tmp_path / "run", tmp_path / "home", tmp_path / "secret"
+    folder, home, secret = place / "run", place / "home", place / "secret"
     for path in (folder / "work", folder / "out"):
         path.mkdir(parents=True)
     for path in (home, secret):
         path.write_text("the teacher's")
-        path.chmod(0o600)
+        path.chmod(0o644)
     (folder / "work" / "probe.py").write_text(PROBE)
     result = folder / "out" / "result"
     facts = {"home": str(home), "secret": str(secret), "package": glsim.__file__, "pid": os.getpid(),
@@ -156,13 +165,13 @@ def test_only_what_the_table_says_is_reached(way: Isolation, tmp_path: Path) -> 
     assert reached == expected
 
 
-def test_a_timeout_keeps_what_was_written(way: Isolation, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_timeout_keeps_what_was_written(way: Isolation, place: Path, capfd: pytest.CaptureFixture[str]) -> None:
     """And nothing comes to the terminal."""
     for name in ("work", "out"):
-        (tmp_path / name).mkdir()
-    written = tmp_path / "out" / "written"
+        (place / name).mkdir()
+    written = place / "out" / "written"
     program = f"import sys\nopen({str(written)!r}, 'w').write('begun')\nsys.stderr.write('noise')\nwhile True: print(1)"
-    assert way.run([sys.executable, "-c", program], tmp_path, 0.8).startswith("stopped after 0.8 seconds")
+    assert way.run([sys.executable, "-c", program], place, 0.8).startswith("stopped after 0.8 seconds")
     assert written.read_text() == "begun"
     assert capfd.readouterr() == ("", "")
 
