@@ -78,7 +78,7 @@ def test_many_points_share_bars() -> None:
     one = Record("s", "s", "03_lambert", "t", (Part("p", 50, 100),), "x.py")
     labels = [a["aria-label"] for tag, a in Page(overview.overview(totals([one]))).tags if tag == "ol"]
     assert labels[0] is not None
-    assert "48-53 points: 1" in labels[0]
+    assert "48-55 points: 1" in labels[0]
     assert labels[0].endswith("96-100 points: 0")
 
 

@@ -35,5 +35,5 @@ function sort(column) {
 heads.forEach((head, column) => head.querySelector("button")?.addEventListener("click", () => sort(column)));
 form.addEventListener("submit", event => event.preventDefault());
 form.addEventListener("input", filter);
-form.hidden = false;
+form.hidden = document.querySelector("thead").hidden = false;
 filter();

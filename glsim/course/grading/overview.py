@@ -21,7 +21,8 @@ from glsim.files import write_text
 from glsim.web import page as web
 
 ASSETS = Path(__file__).parents[1] / "assets"
-MOST_BARS = 20
+MOST_BARS = 14
+MANY = 6  # exercises whose points stand in a line of their own
 THUMBNAIL = 288  # pixels
 COMMON = 3  # hints that are shown for a part
 
@@ -59,13 +60,14 @@ def overview(totals: Sequence[Total]) -> str:
         about=escape("; ".join(about)),
         warning=warning,
         cards="\n".join(cards),
+        size="many" if len(names) > MANY else "few",
         heads=heads if len(names) > 1 else "",
         rows=rows,
     )
 
 
 def _short(name: str, names: Sequence[str]) -> str:
-    return name[:2] if len(names) > 4 else name[3:].replace("_", " ")
+    return str(int(name[:2])) if len(names) > MANY else name[3:].replace("_", " ")
 
 
 def _head(text: str, title: str) -> str:
@@ -101,7 +103,7 @@ def _bars(values: Sequence[int], most: int) -> str:
         first, last = number * width, min(number * width + width - 1, most)
         label = str(first) if first == last else f"{first}-{last}"
         count = counts[number]
-        bars.append(f'<li style="--share: {count / highest:.3f}"><b>{count or ""}</b><i></i><span>{label}</span></li>')
+        bars.append(f'<li style="--share: {count / highest:.3f}"><b>{count or ""}</b><i></i><span>{first}</span></li>')
         words.append(f"{label} points: {count}")
     return f'<ol class="bars" aria-label="{", ".join(words)}">{"".join(bars)}</ol>'
 
@@ -146,7 +148,8 @@ def _mark(record: Record) -> str:
     state = "failed" if record.failure else "full" if value == record.most else "none" if value == 0 else "some"
     text = "!" if record.failure else "-" if not record.file else str(record.points)
     title = escape(f"{record.title}: {record.failure or record.note or f'{record.points} of {record.most}'}")
-    return f'<td class="mark {state}" data-value="{value}" title="{title}">{text}</td>'
+    number = int(record.exercise[:2])
+    return f'<td class="mark {state}" data-label="{number}" data-value="{value}" title="{title}">{text}</td>'
 
 
 def _details(record: Record) -> str:
