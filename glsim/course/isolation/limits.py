@@ -32,7 +32,7 @@ class Limits:
     name = "resource limits"
 
     def run(self, command: Sequence[str], folder: Path, seconds: float) -> str:
-        scratch, out = folder / "scratch", folder / "out"
+        scratch = folder / "scratch"
         scratch.mkdir()
         here = Path(__file__)
         limited = [sys.executable, "-I", "-S", str(here.with_name("runner.py")), str(seconds), "-"]
@@ -46,7 +46,7 @@ class Limits:
                 timeout=seconds,
             )
         finally:
-            _tidy(out, scratch)
+            _tidy(folder)
         return sentence(outcome, seconds)
 
     def walls(self, folder: Path) -> list[str]:
@@ -78,13 +78,17 @@ def _another_user(folder: Path) -> list[str]:
             "--inh-caps", right, "--ambient-caps", right, "--bounding-set", right, "--"]  # fmt: skip
 
 
-def _tidy(*folders: Path) -> None:
-    """Leave only regular files in folders that the command could write: no links, no folders, however deep."""
-    for folder in folders:
-        with contextlib.suppress(OSError):
-            if folder.is_symlink() or not folder.is_dir():
-                folder.unlink(missing_ok=True)
-                folder.mkdir()
-            others = [entry.path for entry in os.scandir(folder) if not entry.is_file(follow_symlinks=False)]
-            if others:
-                subprocess.run(["rm", "-rf", "--", *others], stderr=subprocess.DEVNULL, check=False)
+def _tidy(folder: Path) -> None:
+    """Leave only the regular files in ``out``: no links, and no folders, which may be deep."""
+    out = folder / "out"
+    with contextlib.suppress(OSError):
+        if folder.is_symlink():
+            return
+        if out.is_symlink():
+            out.unlink()
+        inside = (
+            [entry for entry in os.scandir(out) if not entry.is_file(follow_symlinks=False)] if out.is_dir() else []
+        )
+        beside = [entry for entry in os.scandir(folder) if entry.name != "out"]
+        paths = [entry.path for entry in (*inside, *beside)]
+        subprocess.run(["rm", "-rf", "--", *paths], stderr=subprocess.DEVNULL, check=False)
