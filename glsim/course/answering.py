@@ -15,6 +15,7 @@ import os
 import sys
 import traceback
 import types
+from collections.abc import Callable, Iterator
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import Any
@@ -112,26 +113,34 @@ def failure(error: BaseException, path: str) -> dict[str, Any]:
     return {"error": f"{type(error).__name__}: {words}{hint}"[:SHOWN], "line": line_of(error, path)}
 
 
-def answered(order: dict[str, Any]) -> dict[str, Any]:
-    """The answers to a request: {"answers": one for each ask, "printed": the end of what was printed, "cut": bool}."""
+def answered(order: dict[str, Any], save: Callable[[dict[str, Any]], None] | None = None) -> dict[str, Any]:
+    """The answers to a request: {"answers": one for each ask, "printed": the end of what was printed, "cut": bool}.
+
+    save: is called after each answer with those that are there, {} for the others."""
     tail = Tail()
+    given: list[dict[str, Any]] = [{} for _ in order["asks"]]
+    document: dict[str, Any] = {"answers": given}
     with redirect_stdout(tail), redirect_stderr(tail):
-        given = _given(order)
-    return {"answers": given, "printed": tail.text, "cut": tail.cut}
+        for number, answer in enumerate(_given(order)):
+            given[number] = answer
+            document.update(printed=tail.text, cut=tail.cut)
+            if save:
+                save(document)
+    return document
 
 
-def _given(order: dict[str, Any]) -> list[dict[str, Any]]:
-    given: list[dict[str, Any]] = []
+def _given(order: dict[str, Any]) -> Iterator[dict[str, Any]]:
     try:
         module = loaded(order["file"])
     except BaseException as error:  # SystemExit too: the file must be usable as a module
-        return [failure(error, order["file"])] * len(order["asks"])
+        yield from [failure(error, order["file"])] * len(order["asks"])
+        return
     for ask in order["asks"]:
         try:
-            given.append({"value": ANSWERS[ask["kind"]](module, ask)})
+            answer = {"value": ANSWERS[ask["kind"]](module, ask)}
         except BaseException as error:
-            given.append(failure(error, order["file"]))
-    return given
+            answer = failure(error, order["file"])
+        yield answer
 
 
 def main(request: str, answers: str) -> None:
@@ -139,9 +148,13 @@ def main(request: str, answers: str) -> None:
     with open(request, encoding="utf-8") as file:
         order = json.load(file)
     sys.argv = [order["file"]]
-    document = answered(order)
-    with open(answers, "w", encoding="utf-8") as file:
-        json.dump(document, file)
+
+    def save(document: dict[str, Any]) -> None:
+        with open(f"{answers}.part", "w", encoding="utf-8") as file:
+            json.dump(document, file)
+        os.replace(f"{answers}.part", answers)
+
+    answered(order, save)
 
 
 if __name__ == "__main__":

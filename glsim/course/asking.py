@@ -99,9 +99,10 @@ def _answered(request: dict[str, Any], folder: Path, isolation: Isolation, secon
         if not isinstance(values, list) or len(values) != count or not all(isinstance(v, dict) for v in values):
             raise ValueError("answers of another form")
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        values, printed = [{}] * count, ""
+    if not all(values):
         note = note or "the file ended its process before it had answered (sys.exit, os._exit or a crash)"
-        return Answers([{"error": note}] * count, note=note)
-    return Answers(values, printed=printed, note=note)
+    return Answers([value or {"error": note} for value in values], printed=printed, note=note)
 
 
 def _drawn(copy: Path, folder: Path, isolation: Isolation, seconds: float, count: int) -> Answers:

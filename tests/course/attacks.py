@@ -54,8 +54,9 @@ ATTACKS = {
     "a link to right answers": Attack(f"import os\n{ANSWERS}answers.symlink_to('SECRET')\nos._exit(0)", NO_ANSWER),
     "a FIFO as answers": Attack(f"import os\n{ANSWERS}os.mkfifo(answers)\nos._exit(0)", NO_ANSWER),
     "deep folders": Attack(
-        f"RIGHT\nimport os\n{ANSWERS}there = os.getcwd()\nos.chdir(out)\nfor _ in range(2000):\n"
-        "    os.mkdir('d')\n    os.chdir('d')\nos.chdir(there)"
+        f"RIGHT\nimport os\n{ANSWERS}for start in (out, out.parent / 'work'):\n"
+        "    try:\n        os.chdir(start)\n        for _ in range(2000):\n            os.mkdir('d')\n"
+        "            os.chdir('d')\n    except OSError: pass\nos.chdir('/')"
     ),
 }  # fmt: skip
 FORGERIES = {  # what becomes of them does not depend on the isolation

@@ -8,6 +8,7 @@ import re
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -22,7 +23,7 @@ from glsim.course import isolation as isolations
 from glsim.course.answering import answered
 from glsim.course.asking import request_for
 from glsim.course.checking import Result, check
-from glsim.course.exercise import Exercise, exercises, read
+from glsim.course.exercise import Exercise, exercise, read
 from glsim.course.isolation import Isolation, best, works
 from glsim.course.isolation.bubblewrap import Bubblewrap
 from glsim.course.isolation.landlock import abi
@@ -31,7 +32,7 @@ from tests.course.attacks import ATTACKS, DRAWN, FORGERIES, PROBE, Attack
 from tests.course.grading import solution_of
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform != "linux", reason="isolation is for Linux")]
-ONE = exercises()[0]
+ONE = exercise("lambert")
 RIGHT = 3  # right files among the attacks
 PROBED = {*re.findall(r'attempt\("(.+?)",', PROBE), "being root"}
 ALL = {**ATTACKS, **FORGERIES, **DRAWN}
@@ -120,14 +121,22 @@ def test_right_files_at_the_same_time_get_all_points(results: dict[str, Result])
     assert found == [(ONE.points, "")] * RIGHT
 
 
-def test_only_what_the_table_says_is_reached(way: Isolation, tmp_path: Path) -> None:
+@pytest.fixture
+def place() -> Iterator[Path]:
+    """A folder that every user may enter, as those of ``ask`` are; pytest's own may not be."""
+    with tempfile.TemporaryDirectory() as name:
+        os.chmod(name, 0o755)
+        yield Path(name)
+
+
+def test_only_what_the_table_says_is_reached(way: Isolation, place: Path) -> None:
     """Files, network and processes outside."""
-    folder, home, secret = tmp_path / "run", tmp_path / "home", tmp_path / "secret"
+    folder, home, secret = place / "run", place / "home", place / "secret"
     for path in (folder / "work", folder / "out"):
         path.mkdir(parents=True)
     for path in (home, secret):
         path.write_text("the teacher's")
-        path.chmod(0o600)
+        path.chmod(0o644)
     (folder / "work" / "probe.py").write_text(PROBE)
     result = folder / "out" / "result"
     facts = {"home": str(home), "secret": str(secret), "package": glsim.__file__, "pid": os.getpid(),
@@ -156,15 +165,25 @@ def test_only_what_the_table_says_is_reached(way: Isolation, tmp_path: Path) -> 
     assert reached == expected
 
 
-def test_a_timeout_keeps_what_was_written(way: Isolation, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_timeout_keeps_what_was_written(way: Isolation, place: Path, capfd: pytest.CaptureFixture[str]) -> None:
     """And nothing comes to the terminal."""
     for name in ("work", "out"):
-        (tmp_path / name).mkdir()
-    written = tmp_path / "out" / "written"
+        (place / name).mkdir()
+    written = place / "out" / "written"
     program = f"import sys\nopen({str(written)!r}, 'w').write('begun')\nsys.stderr.write('noise')\nwhile True: print(1)"
-    assert way.run([sys.executable, "-c", program], tmp_path, 0.8).startswith("stopped after 0.8 seconds")
+    assert way.run([sys.executable, "-c", program], place, 0.8).startswith("stopped after 0.8 seconds")
     assert written.read_text() == "begun"
     assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("end", ["while True: pass", "import os; os._exit(0)"])
+def test_what_was_answered_before_the_end_counts(end: str, tmp_path: Path) -> None:
+    path = tmp_path / "half.py"
+    path.write_text(f"{solution_of(ONE)}\n\ndef diffuse(*arguments):\n    {end}\n")
+    marks = check(ONE, path, best(), 2.0).marks
+    wanted = [0 if part.function == "diffuse" else part.points for part in ONE.definition.parts]
+    assert [mark.points for mark in marks] == wanted
+    assert 0 < sum(wanted) < ONE.points
 
 
 def test_the_table_has_all_attacks() -> None:

@@ -21,7 +21,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import IO
 
-from glsim.course.isolation.clean import environment, readable, sentence
+from glsim.course.isolation.clean import environment, give, readable, sentence
 from glsim.course.isolation.runner import LARGEST
 from glsim.play.supervise import Outcome, supervised
 
@@ -40,7 +40,7 @@ class Bubblewrap:
     def run(self, command: Sequence[str], folder: Path, seconds: float) -> str:
         runner = str(Path(__file__).with_name("runner.py"))
         if os.geteuid() == 0:
-            _give(folder)
+            give(folder, NOBODY)  # who runs the command: nobody else can read the folder, which is bound read-only
         inner = [sys.executable, "-I", "-S", runner, str(seconds), str(folder / "out"), *command]
         began = time.monotonic()
         with tempfile.TemporaryFile() as results:
@@ -56,13 +56,6 @@ class Bubblewrap:
             _unpack(results, folder / "out")
         late = outcome.code != 0 and time.monotonic() - began > seconds  # the runner has stopped it
         return sentence(Outcome(outcome.code, outcome.timed_out or late), seconds)
-
-
-def _give(folder: Path) -> None:
-    """Make the user who runs the command the owner of a folder, which is bound read-only: nobody else can read it."""
-    for path, _, files in os.walk(folder):
-        for name in (path, *(os.path.join(path, file) for file in files)):
-            os.chown(name, NOBODY, NOBODY, follow_symlinks=False)
 
 
 def _wrapper(folder: Path) -> list[str]:

@@ -28,6 +28,13 @@ def readable() -> list[str]:
     return sorted({str(path) for path in needed if path.is_dir() and not path.is_relative_to("/usr")})
 
 
+def give(folder: Path, user: int) -> None:
+    """Make a user and the group of the same number the owner of a folder and all that is in it."""
+    for path, _, files in os.walk(folder):
+        for name in (path, *(os.path.join(path, file) for file in files)):
+            os.chown(name, user, user, follow_symlinks=False)
+
+
 def sentence(outcome: Outcome, seconds: float) -> str:
     """How a command ended; "" if it ended by itself with exit code 0."""
     if outcome.timed_out:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import secrets
 import subprocess
 import sys
@@ -17,10 +18,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from glsim.course.isolation import landlock
-from glsim.course.isolation.clean import ROOT, environment, readable, sentence
+from glsim.course.isolation.clean import ROOT, environment, give, readable, sentence
 from glsim.play.supervise import supervised
 
 FIRST_USER = 1 << 30  # above all users that there are
+READ_ALL = 1 << 2  # CAP_DAC_READ_SEARCH, linux/capability.h
 DEVICES = ("/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom")
 
 
@@ -30,13 +32,13 @@ class Limits:
     name = "resource limits"
 
     def run(self, command: Sequence[str], folder: Path, seconds: float) -> str:
-        scratch, out = folder / "scratch", folder / "out"
+        scratch = folder / "scratch"
         scratch.mkdir()
         here = Path(__file__)
         limited = [sys.executable, "-I", "-S", str(here.with_name("runner.py")), str(seconds), "-"]
         try:
             outcome = supervised(
-                [*_another_user(scratch, out), *limited, *self.walls(folder), *command],
+                [*_another_user(folder), *limited, *self.walls(folder), *command],
                 cwd=str(folder / "work"),
                 environment={**environment(), "TMPDIR": str(scratch)},
                 stdout=subprocess.DEVNULL,
@@ -44,7 +46,7 @@ class Limits:
                 timeout=seconds,
             )
         finally:
-            _tidy(out, scratch)
+            _tidy(folder)
         return sentence(outcome, seconds)
 
     def walls(self, folder: Path) -> list[str]:
@@ -64,25 +66,29 @@ class Landlock(Limits):
         return [sys.executable, "-I", "-S", landlock.__file__, json.dumps(rules)]
 
 
-def _another_user(*writable: Path) -> list[str]:
-    """The command that changes the user, if this is root, who gets the folders."""
+def _another_user(folder: Path) -> list[str]:
+    """The command that changes the user, who gets the folder, if this is root."""
     if os.geteuid() != 0:
         return []
     user = FIRST_USER + secrets.randbelow(FIRST_USER)
-    for folder in writable:
-        os.chown(folder, user, user)
-    right = "-all,+dac_read_search"
+    give(folder, user)
+    held = int(re.findall(r"CapPrm:\s*(\w+)", Path("/proc/self/status").read_text())[0], 16)
+    right = "-all,+dac_read_search" if held & READ_ALL else "-all"  # Docker's root does not have it
     return ["setpriv", "--reuid", str(user), "--regid", str(user), "--clear-groups", "--no-new-privs",
             "--inh-caps", right, "--ambient-caps", right, "--bounding-set", right, "--"]  # fmt: skip
 
 
-def _tidy(*folders: Path) -> None:
-    """Leave only regular files in folders that the command could write: no links, no folders, however deep."""
-    for folder in folders:
-        with contextlib.suppress(OSError):
-            if folder.is_symlink() or not folder.is_dir():
-                folder.unlink(missing_ok=True)
-                folder.mkdir()
-            others = [entry.path for entry in os.scandir(folder) if not entry.is_file(follow_symlinks=False)]
-            if others:
-                subprocess.run(["rm", "-rf", "--", *others], stderr=subprocess.DEVNULL, check=False)
+def _tidy(folder: Path) -> None:
+    """Leave only the regular files in ``out``: no links, and no folders, which may be deep."""
+    out = folder / "out"
+    with contextlib.suppress(OSError):
+        if folder.is_symlink():
+            return
+        if out.is_symlink():
+            out.unlink()
+        inside = (
+            [entry for entry in os.scandir(out) if not entry.is_file(follow_symlinks=False)] if out.is_dir() else []
+        )
+        beside = [entry for entry in os.scandir(folder) if entry.name != "out"]
+        paths = [entry.path for entry in (*inside, *beside)]
+        subprocess.run(["rm", "-rf", "--", *paths], stderr=subprocess.DEVNULL, check=False)
