@@ -65,6 +65,7 @@ AWAY = [(UP, np.array([0.8, 0.0, 0.6]), np.array([0.96, 0.0, 0.28]), 2.0)]  # R.
 AWAY += [(N[k], L[k], -V[k], 4.0) for k in range(8)]
 BEHIND = [(UP, np.array([0.6, 0.0, -0.8]), np.array([-0.6, 0.0, -0.8]), 4.0)]
 BEHIND += [(-N[k], L[k], V[k], 3.0) for k in range(8)]
+BEHIND += [(UP, np.array([1.0, 0.0, 0.0]), np.array([-0.6, 0.0, 0.8]), 4.0)]  # N.L = 0
 
 EXERCISE = Definition(
     title="Phong's highlight",

@@ -48,6 +48,17 @@ FRONT += [(N[k], L[k], V[k], float(n[k])) for k in range(24) if N[k] @ L[k] > 0]
 BEHIND = [(UP, np.array([0.6, 0.0, -0.8]), np.array([0.0, 0.28, 0.96]), 4.0)]
 BEHIND += [(-N[k], L[k], -towards(N, 0.3, 15)[k], 3.0) for k in range(8)]
 
+# the eye so far behind the surface that H is behind it, too
+UNDER = [
+    (
+        UP,
+        np.array([0.8 * np.cos(t), 0.8 * np.sin(t), 0.6]),
+        np.array([0.28 * np.sin(t), 0.28 * np.cos(t), -0.96]),
+        float(2 + t % 4),
+    )
+    for t in range(8)
+]
+
 EXERCISE = Definition(
     title="Blinn's highlight",
     lesson=10,
@@ -87,6 +98,17 @@ EXERCISE = Definition(
                 Mistake(lambda N, L, V, n: max(N @ L, 0) ** n, "The eye is missing: a highlight moves with it."),
             ],
             points=2,
+        ),
+        Call(
+            "H behind the surface",
+            "highlight",
+            UNDER,
+            highlight,
+            hint="Where N·H is negative there is no highlight.",
+            mistakes=[
+                Mistake(lambda N, L, V, n: (N @ halfway(L, V)) ** n, "N·H is negative here, and its power is not 0."),
+                Mistake(lambda N, L, V, n: abs(N @ halfway(L, V)) ** n, "N·H is negative here: the absolute value makes a highlight of it."),
+            ],
         ),
         Call(
             "lights behind the surface",

@@ -63,6 +63,45 @@ def case(seed, bright):
 DARK = [case(k, False) for k in range(16)]
 BRIGHT = [case(k, True) for k in range(16, 32)]
 BEHIND = [(*DARK[k][:6], -DARK[k][6], *DARK[k][7:]) for k in range(8)]
+BEHIND += [
+    (
+        *DARK[0][:6],
+        np.array([0.0, 0.0, 1.0]),
+        np.array([1.0, 0.0, 0.0]),
+        np.array([-0.6, 0.0, 0.8]),
+    )
+]  # N.L = 0
+
+
+def aside(L, seed):
+    """An eye beside the light, where R.V is negative, for N = (0, 0, 1)."""
+    w = L + 0.2 * unit_vectors(1, seed)[0]
+    return w / np.linalg.norm(w)
+
+
+LOW = [np.array([np.cos(t) * 0.9, np.sin(t) * 0.9, 0.19**0.5]) for t in range(8)]
+ASIDE = [
+    (
+        *DARK[k][:3],
+        float(2 + k % 4),
+        *DARK[k][4:6],
+        np.array([0.0, 0.0, 1.0]),
+        L,
+        aside(L, 300 + k),
+    )
+    for k, L in enumerate(LOW)
+]
+
+
+def with_power(power):
+    """The sum with another power of R.V."""
+    return lambda k_a, k_d, k_s, n, I_a, I_L, N, L, V: np.clip(
+        I_a * k_a
+        + I_L * k_d * (N @ L)
+        + I_L * k_s * power((2 * (N @ L) * N - L) @ V, n),
+        0,
+        1,
+    )
 
 
 def with_clamped_terms(*arguments):
@@ -111,6 +150,18 @@ EXERCISE = Definition(
                 Mistake(with_clamped_terms, "Each term is clamped, and their sum exceeds 1: clamp once, at the end."),
                 Mistake(lambda *a: unclamped(*a) / max(unclamped(*a).max(), 1.0),
                         "This scales all channels by the brightest. The exercise asks to clamp each channel by itself."),
+            ],
+        ),
+        Call(
+            "far from the mirror direction",
+            "illuminate",
+            ASIDE,
+            illuminate,
+            hint="Where the angle between R and V is more than 90 degrees there is no highlight.",
+            mistakes=[
+                Mistake(with_power(lambda cosine, n: cosine**n),
+                        "R·V is negative here, and its power is not 0: an even power even makes a second highlight."),
+                Mistake(with_power(lambda cosine, n: abs(cosine) ** n), "There is a second highlight on the side of the light: R·V is negative there."),
             ],
         ),
         Call(

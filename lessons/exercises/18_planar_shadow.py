@@ -105,10 +105,16 @@ LAMP, SUN = np.array([0.0, 4.0, 0.0, 1.0]), np.array([1.0, 2.0, 0.0, 0.0])
 WITH_LAMPS = [(FLOOR, LAMP, np.array([1.0, 2.0, 0.0])), *lamps(12, 1)]
 WITH_SUNS = [(FLOOR, SUN, np.array([1.0, 2.0, 0.0])), *suns(12, 2)]
 LOW = [(p, light, above(p, -9.0)) for p, light, _ in lamps(4, 9)]
+NEAR = [
+    (p, light, above(p, height))
+    for height in (0.02, -0.02)
+    for p, light, _ in lamps(4, 10)
+]
 BELOW = [(p, light, above(p, -1.5)) for p, light, _ in [*lamps(4, 3), *suns(4, 4)]]
 OTHER_SIDE = [(-p, light, v) for p, light, v in [*lamps(4, 5), *suns(4, 6)]]
 BEYOND = [(FLOOR, LAMP, np.array([1.0, 5.0, 0.0]))]
 BEYOND += [(p, light, above(p, 7.0)) for p, light, _ in lamps(5, 7)]
+BEYOND += [(-p, light, v) for p, light, v in BEYOND]
 HIGH = [(p, light, above(p, 9.0)) for p, light, _ in suns(5, 8)]
 
 
@@ -174,7 +180,7 @@ EXERCISE = Definition(
             hint="OpenGL takes a matrix column by column.",
             mistakes=[Mistake(lambda M: M.ravel(), "This is row by row; OpenGL takes the matrix column by column.")],
         ),
-        Call("what casts a shadow", "casts", WITH_LAMPS[:6] + WITH_SUNS[:6] + BELOW + LOW + OTHER_SIDE, casts,
+        Call("what casts a shadow", "casts", WITH_LAMPS[:6] + WITH_SUNS[:6] + BELOW + LOW + NEAR + OTHER_SIDE, casts,
              hint="p·v tells by its sign on which side of the plane a point is.", mistakes=CAST_MISTAKES),
         Call("beyond the lamp", "casts", BEYOND + WITH_LAMPS[:4] + HIGH + BELOW + LOW + OTHER_SIDE, casts,
              hint="A lamp lights the plane downwards: what is higher than it has no shadow there.", mistakes=CAST_MISTAKES),

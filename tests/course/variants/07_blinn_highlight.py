@@ -30,6 +30,8 @@ def highlight(N, L, V, n):
 
 H, POWER = "total / np.linalg.norm(total)", "max(np.dot(N, H), 0.0) ** n"
 WRONG = {
+    "no maximum": ([(POWER, "np.dot(N, H) ** n")], "its power is not 0"),
+    "absolute value": ([(POWER, "abs(np.dot(N, H)) ** n")], "the absolute value"),
     "not normalised": ([(H, "total")], "divide the sum by its length"),
     "half": ([(H, "total / 2")], "shorter than a unit vector"),
     "difference": ([("L + V", "L - V")], "between them"),

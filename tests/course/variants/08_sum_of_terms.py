@@ -21,6 +21,8 @@ def illuminate(k_a, k_d, k_s, n, I_a, I_L, N, L, V):
 }
 
 WRONG = {
+    "no maximum of R.V": ([("max(np.dot(R, V), 0)", "np.dot(R, V)")], "its power is not 0"),
+    "absolute value of R.V": ([("max(np.dot(R, V), 0)", "abs(np.dot(R, V))")], "second highlight"),
     "no ambient": ([("color = I_a * k_a", "color = 0 * k_a")], "glow I_a k_a is missing"),
     "no diffuse": ([("        color = color + I_L * k_d * N_L\n", "")], "diffuse term is missing"),
     "no highlight": ([("        color = color + I_L * k_s * max(np.dot(R, V), 0) ** n\n", "")], "highlight is missing"),
