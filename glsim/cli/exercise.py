@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from glsim.course.checking import Result
     from glsim.course.exercise import Exercise
 
+FORMULA = re.compile(r"(\$\$?).+?\1", re.DOTALL)
 POLL = 0.3  # seconds between two looks at a watched file
 
 
@@ -76,7 +78,9 @@ def _show(options: argparse.Namespace) -> int:
         return 0
     from rich.markdown import Markdown
 
-    console().print(Markdown(f"# {one.number}. {one.title}\n\n{one.statement}"))
+    # Markdown would take signs of the formulas for its own
+    statement = FORMULA.sub(lambda formula: re.sub(r"([\\_*])", r"\\\1", formula[0]), one.statement)
+    console().print(Markdown(f"# {one.number}. {one.title}\n\n{statement}"))
     return 0
 
 

@@ -66,8 +66,16 @@ def _judge(exercise: Exercise, part: Part, answer: dict[str, object], answers: A
     if answers.frame is None or answer.get("error"):
         return failed(part, answer)
     if isinstance(part, Drawn):
-        return mark(part, part.judge(answers.frame) or "")
+        return _judge_frame(part, answers.frame)
     return _judge_picture(exercise, part, answers.frame)
+
+
+def _judge_frame(part: Drawn, frame: Frame) -> Mark:
+    """What the part's judge says of a Frame.  One that it stumbles over is not right either."""
+    try:
+        return mark(part, part.judge(frame) or "")
+    except Exception as error:  # any number may stand in a student's matrices
+        return mark(part, f"what the program draws cannot be judged ({error}): is a scale 0, or a number not finite?")
 
 
 def _judge_picture(exercise: Exercise, part: Picture, frame: Frame) -> Mark:

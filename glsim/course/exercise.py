@@ -204,3 +204,20 @@ def unit_vectors(count: int, seed: int) -> NDArray[np.float64]:
     """Random unit vectors, (count, 3), the same for one seed: arguments for parts."""
     v = np.random.default_rng(seed).normal(size=(count, 3))
     return np.asarray(v / np.linalg.norm(v, axis=1, keepdims=True))
+
+
+def closed_room(n: int, seed: int) -> tuple[NDArray[np.float64], ...]:
+    """A random closed room of ``n`` plane patches, the same for one seed: arguments for parts.
+
+    Returns the form factors F (n, n), whose rows sum to 1 and obey reciprocity, the areas (n,), the reflectances
+    (n, 3) and the emitted radiosities (n, 3), of which at least the first patch's is not 0."""
+    rng = np.random.default_rng(seed)
+    areas = rng.uniform(0.5, 3.0, n)
+    upper = np.triu(rng.uniform(0.1, 1.0, (n, n)), 1)
+    symmetric = upper + upper.T
+    for _ in range(200):
+        symmetric *= np.sqrt(np.outer(areas / symmetric.sum(axis=1), areas / symmetric.sum(axis=0)))
+    rho = rng.uniform(0.1, 0.9, (n, 3))
+    emitted = rng.uniform(0.0, 2.0, (n, 3)) * (rng.random((n, 1)) < 0.4)
+    emitted[0] = (1.0, 0.8, 0.5)
+    return symmetric / areas[:, None], areas, rho, emitted

@@ -178,7 +178,9 @@ def judge_camera(frame: Frame) -> str | None:
             return "The camera is multiplied twice: begin with glLoadIdentity."
         if alike(given[:3, :3], V[:3, :3]):
             return "The direction of view is right, but the eye is not at (4, 3, 6)."
-        if alike(np.linalg.inv(given)[:3, 3], EYE):
+        if alike(given @ [*EYE, 1], (0, 0, 0, 1)) and alike(
+            given[:3, :3] @ given[:3, :3].T, np.eye(3)
+        ):
             return (
                 "The eye is where it should be, but it looks elsewhere, or y is not up."
             )

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import multiprocessing
 import os
-import runpy
 import sys
 from collections.abc import Sequence
 from functools import cache
@@ -22,7 +22,7 @@ SOLUTIONS, VARIANTS = HERE / "solutions", HERE / "variants"
 
 
 class Forked:
-    """For programs: a process that begins with glsim imported, which is ten times as quick as a new Python."""
+    """For programs: a process that begins with glsim imported already, which is several times as quick."""
 
     name = "forked"
 
@@ -42,8 +42,11 @@ class Forked:
 
 def _run_module(command: Sequence[str], folder: str) -> None:
     os.chdir(folder)
+    nothing = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nothing, 1)
+    os.dup2(nothing, 2)
     sys.argv[1:] = command[1:]
-    runpy.run_module(command[0], run_name="__main__", alter_sys=True)
+    importlib.import_module(command[0]).main()
 
 
 def solution_of(exercise: Exercise) -> str:

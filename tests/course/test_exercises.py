@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from glsim.cli import main
+from glsim.course.asking import Answers
 from glsim.course.cells import lessons
-from glsim.course.exercise import Exercise, exercises
+from glsim.course.checking import judged
+from glsim.course.exercise import Definition, Drawn, Exercise, exercises
 from glsim.course.handout import hints, starter
+from glsim.machine.frame import Frame
 from tests.course.grading import VARIANTS, changed, marks_of, solution_of, variants_of
 
 EXERCISES = exercises()
@@ -57,9 +62,24 @@ def test_every_exercise_belongs_to_a_lesson_that_names_it() -> None:
         assert f"Exercise {one.number}" in text, f"lesson {lesson.number} does not name exercise {one.number}"
 
 
+def test_a_frame_over_which_a_judge_stumbles_gets_no_points() -> None:
+    part = Drawn("the camera", lambda frame: str(np.linalg.inv(np.zeros((4, 4)))))
+    one = Exercise(Path("01_x.py"), 1, "", Definition("", 1, "", [part], program=True))
+    result = judged(one, Answers([{}], Frame(8, 8)))
+    assert result.points == 0
+    assert "cannot be judged" in result.marks[0].hint
+
+
 @pytest.mark.parametrize("one", EXERCISES, ids=lambda one: one.name)
 def test_no_text_of_an_exercise_holds_its_solution(one: Exercise) -> None:
     """Lines of the solution's code are neither in the starter nor in the hints."""
     code = [line.strip() for line in solution_of(one).splitlines() if line.strip().startswith("return ")]
     shown = one.definition.starter + "\n".join(hints(one)) + one.statement
     assert not [line for line in code if len(line) > 16 and line in shown]
+
+
+def test_a_shown_statement_keeps_the_signs_of_its_formulas(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["exercise", "show", "area_light"]) == 0
+    shown = capsys.readouterr().out
+    assert r"$\mathbf{\Gamma}_k$" in shown
+    assert r"\sum_k \gamma_k\," in shown
