@@ -25,6 +25,11 @@ def difference(a: Pixels, b: Pixels) -> NDArray[np.int16]:
     return b.astype(np.int16) - a.astype(np.int16)
 
 
+def amplified(d: NDArray[np.int16], factor: int) -> Pixels:
+    """A difference d, |d| times ``factor``, at most 255, as a picture of the same shape."""
+    return np.asarray(np.minimum(np.abs(d.astype(np.int32)) * factor, 255), np.uint8)
+
+
 def metrics(a: Pixels, b: Pixels) -> dict[str, float]:
     """The differences of two pictures as numbers.
 

@@ -198,7 +198,8 @@ def _solution(options: argparse.Namespace) -> int:
     from glsim.course.handout import solution
 
     text = solution(exercise(options.exercise), Path(options.solutions))
-    print(
-        json.dumps({"status": "ok", "solution": text}) if options.json else text, end="" if not options.json else "\n"
-    )
+    if options.json:
+        print(json.dumps({"status": "ok", "solution": text}))
+    else:
+        print(text, end="")
     return 0

@@ -29,13 +29,12 @@ class Tail(io.TextIOBase):
     """Keeps the last SHOWN characters of what is written, so that endless printing fills no memory."""
 
     def __init__(self) -> None:
-        self.text, self.cut = "", False
+        self.text = ""
 
     def writable(self) -> bool:
         return True
 
     def write(self, text: str) -> int:
-        self.cut = self.cut or len(self.text) + len(text) > SHOWN
         self.text = (self.text + text[-SHOWN:])[-SHOWN:]
         return len(text)
 
@@ -114,7 +113,7 @@ def failure(error: BaseException, path: str) -> dict[str, Any]:
 
 
 def answered(order: dict[str, Any], save: Callable[[dict[str, Any]], None] | None = None) -> dict[str, Any]:
-    """The answers to a request: {"answers": one for each ask, "printed": the end of what was printed, "cut": bool}.
+    """The answers to a request: {"answers": one for each ask, "printed": the end of what was printed}.
 
     save: is called after each answer with those that are there, {} for the others."""
     tail = Tail()
@@ -123,7 +122,7 @@ def answered(order: dict[str, Any], save: Callable[[dict[str, Any]], None] | Non
     with redirect_stdout(tail), redirect_stderr(tail):
         for number, answer in enumerate(_given(order)):
             given[number] = answer
-            document.update(printed=tail.text, cut=tail.cut)
+            document["printed"] = tail.text
             if save:
                 save(document)
     return document

@@ -15,7 +15,7 @@ from glsim.course.exercise import Call, Drawn, Exercise, Part, Picture, Shader, 
 from glsim.course.isolation import Isolation, Separate
 from glsim.course.judging import Mark, failed, judge_call, judge_value, mark
 from glsim.machine.frame import Frame
-from glsim.metrics import same_sign_blocks
+from glsim.metrics import amplified, difference
 
 
 @dataclass(frozen=True)
@@ -80,22 +80,15 @@ def _judge_frame(part: Drawn, frame: Frame) -> Mark:
 
 def _judge_picture(exercise: Exercise, part: Picture, frame: Frame) -> Mark:
     """Redraw the Frame here and compare it with the picture beside the exercise, by the rule for other renderers."""
-    from glsim.render.context import own_screen
+    from glsim.render.context import drawn
+    from glsim.testing.rule import broken
 
     expected = np.asarray(Image.open(exercise.path.parent / part.name).convert("RGB"))
     height, width = expected.shape[:2]
     if (frame.width, frame.height) != (width, height):
         return mark(part, f"the picture has {frame.width} x {frame.height} pixels, and {width} x {height} are expected")
-    with own_screen(width, height) as screen:
-        screen.execute(frame.packets)
-        actual = np.ascontiguousarray(screen.pixels()[..., :3])
-    return mark(part, "" if _alike(expected, actual) else part.hint, expected=expected, actual=actual)
-
-
-def _alike(a: NDArray[np.uint8], b: NDArray[np.uint8]) -> bool:
-    """At most 2/255 but for 0.05 % of the pixels, and no block of pixels that is brighter or darker as a whole."""
-    far = (np.abs(a.astype(np.int16) - b).max(axis=2) > 2).mean()
-    return bool(far <= 0.0005) and same_sign_blocks(a, b) == 0
+    actual = np.ascontiguousarray(drawn(frame)[..., :3])
+    return mark(part, part.hint if broken(expected, actual) else "", expected=expected, actual=actual)
 
 
 def side_by_side(expected: NDArray[np.uint8], actual: NDArray[np.uint8]) -> Image.Image:
@@ -104,6 +97,5 @@ def side_by_side(expected: NDArray[np.uint8], actual: NDArray[np.uint8]) -> Imag
 
     pictures = [("expected", expected), ("yours", actual)]
     if expected.shape == actual.shape:
-        difference = np.abs(expected.astype(np.int16) - actual)
-        pictures.append(("8 times the difference", np.minimum(8 * difference, 255).astype(np.uint8)))
+        pictures.append(("8 times the difference", amplified(difference(expected, actual), 8)))
     return tiles("", [pictures])

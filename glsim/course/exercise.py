@@ -69,9 +69,7 @@ class Value:
 @dataclass(frozen=True)
 class Drawn:
     """A part of a program that draws: ``judge`` looks at the Frame that it recorded, with all calls, and returns a hint
-    if something is wrong, None if it is right.
-
-    file: the name under which the student's text is run."""
+    if something is wrong, None if it is right."""
 
     about: str
     judge: Callable[[Frame], str | None]
@@ -192,7 +190,7 @@ def exercise_of(file: Path, folder: Path | None = None) -> Exercise:
     """The exercise that a student's file belongs to, by its name, which begins with NN_topic.
 
     Raises ValueError if the name says none."""
-    found = [path for path in paths(folder) if file.stem == path.stem or file.stem.startswith(path.stem)]
+    found = [path for path in paths(folder) if file.stem.startswith(path.stem)]
     if not found:
         raise ValueError(
             f"{file.name}: the name says no exercise: keep that of glsim exercise new, or use --exercise N"

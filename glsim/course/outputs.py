@@ -8,7 +8,7 @@ import io
 import os
 import tempfile
 from base64 import b64decode, b64encode
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -48,19 +48,14 @@ class LessonError(RuntimeError):
     """A cell raised an exception: the message says in which file and line."""
 
 
-def execute(lesson: Lesson, step: Callable[[Cell], object] = lambda cell: None) -> list[Output]:
+def execute(lesson: Lesson) -> list[Output]:
     """Run a lesson's code cells in their order, and return an Output for every cell of the lesson.
 
-    step: called before each code cell.  The lesson runs in a temporary folder; the context that was current stays so.
+    The lesson runs in a temporary folder; the context that was current stays so.
     Raises LessonError if a cell raises an exception."""
     names: dict[str, Any] = {"__name__": "__main__", "__file__": str(lesson.path)}
-    outputs = []
     with current_again(), _temporary_folder():
-        for cell in lesson.cells:
-            if cell.kind == "code":
-                step(cell)
-            outputs.append(_run(lesson, cell, names) if cell.kind == "code" else Output())
-    return outputs
+        return [_run(lesson, cell, names) if cell.kind == "code" else Output() for cell in lesson.cells]
 
 
 def _run(lesson: Lesson, cell: Cell, names: dict[str, Any]) -> Output:

@@ -15,7 +15,7 @@ from glsim.files import data_folder
 from glsim.machine.frame import Frame
 from glsim.play.capture import capture
 from glsim.render.compile import ShaderError
-from glsim.render.context import own_screen
+from glsim.render.context import drawn, own_screen
 from glsim.render.programs import shader_replaced
 
 
@@ -54,12 +54,11 @@ def drawn_with(frame: Frame, file: str, function: str, text: str) -> NDArray[np.
     """The picture of a Frame, (height, width, 4), drawn with the student's function.
 
     Raises FunctionError without such a function, or with the compiler's first message."""
-    with shader_replaced(file, replaced(file, function, text)), own_screen(frame.width, frame.height) as screen:
+    with shader_replaced(file, replaced(file, function, text)):
         try:
-            screen.execute(frame.packets)
+            return drawn(frame)
         except ShaderError as error:
             raise FunctionError(_first_message(str(error))) from None
-        return screen.pixels()
 
 
 def _first_message(text: str) -> str:
@@ -90,9 +89,7 @@ def judge_shader(part: Shader, answer: dict[str, Any]) -> Mark:
 
 @cache
 def _expected(part: Shader) -> NDArray[np.uint8]:
-    with own_screen(*part.size) as screen:
-        screen.execute(frame_for(part).packets)
-        return np.ascontiguousarray(screen.pixels()[..., :3])
+    return np.ascontiguousarray(drawn(frame_for(part))[..., :3])
 
 
 @cache

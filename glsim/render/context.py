@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from glsim.files import write_atomically
 from glsim.machine import constants as gl
 from glsim.machine.current import current_again, current_machine, make_current
-from glsim.machine.frame import Packet
+from glsim.machine.frame import Frame, Packet
 from glsim.machine.interrupts import uninterrupted
 from glsim.machine.machine import Machine
 from glsim.render.device import refuse_fork
@@ -305,6 +305,13 @@ def offscreen(width: int, height: int, *, samples: int = 0, backend: str = "auto
     size or a number of samples that cannot be.
     """
     return Offscreen(width, height, samples, backend)
+
+
+def drawn(frame: Frame) -> NDArray[np.uint8]:
+    """The picture of a Frame, drawn on a screen of its own: (height, width, 4) uint8, top row first."""
+    with own_screen(frame.width, frame.height) as screen:
+        screen.execute(frame.packets)
+        return screen.pixels()
 
 
 @contextlib.contextmanager

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
+from glsim.metrics import amplified
 from glsim.pictures import FAINT, INK, PAPER
 
 if TYPE_CHECKING:
@@ -270,11 +271,6 @@ def _difference(
         x, y = (x + picture.width + grid.gap, y) if right else (x, y + picture.height + grid.gap // 2)
     for k, text in enumerate(comparison.difference_words(*key)):
         sheet.paste(fitted(text, grid.small, grid.words[0], FAINT)[0], (x, y + k * grid.line))
-
-
-def amplified(difference: NDArray[np.int16], factor: int) -> Pixels:
-    """|difference| times ``factor``, at most 255, as a picture."""
-    return np.asarray(np.minimum(np.abs(difference.astype(np.int32)) * factor, 255), np.uint8)
 
 
 def scaled(pixels: Pixels, width: int, height: int) -> Image.Image:

@@ -14,7 +14,7 @@ from glsim.machine.frame import Draw, Frame
 from glsim.machine.stage import window
 from glsim.pictures import FAINT, INK, PAPER
 from glsim.play.frames import frame_of
-from glsim.render.context import own_screen
+from glsim.render.context import drawn
 from glsim.study.overlay import Overlay, Place
 from glsim.study.probe import Evaluation, Fragment, LightTerms, Probe
 from glsim.study.prober import Prober
@@ -57,9 +57,9 @@ def vectors(
     fragment = _lit_surface(probe)
     chosen = max(fragment.evaluations, key=lambda evaluation: evaluation.weight)
     terms = _light(chosen, light)
-    with own_screen(frame.width, frame.height) as screen:
-        screen.execute(frame.packets)
-        picture = screen.image().convert("RGB")
+    from PIL import Image
+
+    picture = Image.fromarray(np.ascontiguousarray(drawn(frame)[..., :3]))
     factor = max(1, -(-SMALLEST // min(picture.size)))
     if factor > 1:
         from PIL.Image import Resampling

@@ -20,7 +20,7 @@ from PIL import Image
 
 from glsim.files import write_atomically, write_text
 from glsim.images import Pixels, on_paper
-from glsim.metrics import difference
+from glsim.metrics import amplified, difference
 from glsim.pictures import tiles
 from glsim.testing import baselines
 from glsim.testing.settings import Settings
@@ -48,13 +48,12 @@ def write_difference(path: Path, expected: Pixels, actual: Pixels) -> None:
         frame = np.zeros((height, width, 4), np.uint8)
         frame[: picture.shape[0], : picture.shape[1]] = picture
         padded.append(frame)
-    d = np.abs(difference(*padded)).astype(np.int32)
+    d = np.abs(difference(*padded))
     shown = np.maximum(d[..., :3], d[..., 3:])  # alpha is white
-    amplified = np.asarray(np.minimum(shown * AMPLIFIED, 255), np.uint8)
     row = [
         (f"expected, {expected.shape[1]} x {expected.shape[0]}", on_paper(padded[0])),
         (f"actual, {actual.shape[1]} x {actual.shape[0]}", on_paper(padded[1])),
-        (f"difference x {AMPLIFIED}", amplified),
+        (f"difference x {AMPLIFIED}", amplified(shown, AMPLIFIED)),
     ]
     sheet = tiles(path.stem, [row], max(256, min(1024, int(height), int(width))))
     path.parent.mkdir(parents=True, exist_ok=True)

@@ -87,10 +87,10 @@ def judge(
         reason = "" if expected.shape != actual.shape else SAME if made.get("renderer") else UNKNOWN
         return Verdict(False, False, closest, expected, f"{told(expected, actual)} {reason}".strip())
     for baseline, pixels in ordered:
-        if pixels.shape == actual.shape and not (reason := _broken(pixels, actual)):
+        if pixels.shape == actual.shape and not (reason := broken(pixels, actual)):
             reason = f"{told(pixels, actual)} This is within the rule for another renderer."
             return Verdict(True, False, baseline, pixels, reason)
-    reason = _broken(expected, actual) if expected.shape == actual.shape else ""
+    reason = broken(expected, actual) if expected.shape == actual.shape else ""
     return Verdict(False, False, closest, expected, f"{told(expected, actual)} {reason}".strip())
 
 
@@ -105,8 +105,8 @@ def counts(expected: Pixels, actual: Pixels) -> tuple[int, int]:
     return int(more.sum()), same_sign_blocks(expected, actual)
 
 
-def _broken(expected: Pixels, actual: Pixels) -> str:
-    """What of the rule for another renderer is broken; "" if nothing is."""
+def broken(expected: Pixels, actual: Pixels) -> str:
+    """What of the rule for another renderer is broken by two pictures of one size; "" if nothing is."""
     more, blocks = counts(expected, actual)
     pixels = actual.shape[0] * actual.shape[1]
     parts = []

@@ -9,7 +9,7 @@ $H_i = \sum_j F_{ij} B_j$ is what arrives at patch $i$ per unit of area. (At the
 
 import numpy as np
 
-from glsim.course.exercise import Call, Definition, Mistake
+from glsim.course.exercise import Call, Definition, Mistake, closed_room
 
 STARTER = '''\
 import numpy as np
@@ -39,21 +39,14 @@ def absorbed(B, E, rho, F, areas):
     return float(np.sum(areas * (1 - rho) * (F @ B)))
 
 
-def room(n, seed):
-    """A closed room: form factors with reciprocity whose rows sum to 1; areas, reflectances, exitances and the solution."""
-    rng = np.random.default_rng(seed)
-    areas = rng.uniform(0.5, 3.0, n)
-    S = rng.uniform(0.1, 1.0, (n, n))
-    S = np.triu(S, 1) + np.triu(S, 1).T
-    for _ in range(400):  # scaled until rows sum to the areas: Sinkhorn
-        S *= np.sqrt(np.outer(areas / S.sum(axis=1), areas / S.sum(axis=0)))
-    F = S / areas[:, None]
-    rho, E = rng.uniform(0.1, 0.8, n), rng.uniform(0, 2, n) * (rng.random(n) < 0.5)
-    B = np.linalg.solve(np.eye(n) - rho[:, None] * F, E)
-    return F, areas, rho, E, B
+def room(n):
+    """A closed room in one channel: form factors, areas, reflectances, exitances and the solution."""
+    F, areas, rho, E = closed_room(n, n)
+    rho, E = rho[:, 0], E[:, 0]
+    return F, areas, rho, E, np.linalg.solve(np.eye(n) - rho[:, None] * F, E)
 
 
-ROOMS = [room(n, n) for n in (4, 5, 8, 12)]
+ROOMS = [room(n) for n in (4, 5, 8, 12)]
 
 EXERCISE = Definition(
     title="Reciprocity and energy balance",

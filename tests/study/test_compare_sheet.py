@@ -13,10 +13,11 @@ from PIL import Image
 import glsim
 from glsim.cli import main
 from glsim.cli.compare import EPILOG
+from glsim.metrics import amplified
 from glsim.study.axes import SWEEPABLE
 from glsim.study.compare import compare
 from glsim.study.equations import equations, grid
-from glsim.study.sheet import amplified, plain, written
+from glsim.study.sheet import plain, written
 
 
 def test_metrics_by_hand() -> None:
