@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import argparse
 import json
-import re
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from glsim.cli.options import console, positive
+from glsim.cli.options import console, markdown, positive
 
 if TYPE_CHECKING:
     from glsim.course.checking import Result
     from glsim.course.exercise import Exercise
 
-FORMULA = re.compile(r"(\$\$?).+?\1", re.DOTALL)
 POLL = 0.3  # seconds between two looks at a watched file
 
 
@@ -76,11 +74,7 @@ def _show(options: argparse.Namespace) -> int:
     if options.json:
         print(json.dumps({"status": "ok", "exercise": one.name, "title": one.title, "statement": one.statement}))
         return 0
-    from rich.markdown import Markdown
-
-    # Markdown would take signs of the formulas for its own
-    statement = FORMULA.sub(lambda formula: re.sub(r"([\\_*])", r"\\\1", formula[0]), one.statement)
-    console().print(Markdown(f"# {one.number}. {one.title}\n\n{statement}"))
+    console().print(markdown(f"# {one.number}. {one.title}\n\n{one.statement}"))
     return 0
 
 

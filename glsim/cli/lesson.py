@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from glsim.cli.options import console, count
+from glsim.cli.options import console, count, markdown
 
 if TYPE_CHECKING:
     from glsim.course.cells import Lesson
@@ -58,13 +58,12 @@ def _show(options: argparse.Namespace) -> int:
         cells = [{"kind": cell.kind, "title": cell.title, "source": cell.source} for cell in chosen.cells]
         print(json.dumps({"status": "ok", "lesson": chosen.name, "title": chosen.title, "cells": cells}))
         return 0
-    from rich.markdown import Markdown
     from rich.syntax import Syntax
 
     out = console()
     for cell in chosen.cells:
         out.print(
-            Markdown(cell.source) if cell.kind == "markdown" else Syntax(cell.source, "python", theme="ansi_dark")
+            markdown(cell.source) if cell.kind == "markdown" else Syntax(cell.source, "python", theme="ansi_dark")
         )
         out.print()
     return 0

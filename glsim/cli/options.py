@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 Value = TypeVar("Value")
 
+FORMULA = re.compile(r"(\$\$?).+?\1", re.DOTALL)
+
 
 class Parser(argparse.ArgumentParser):
     """Asks "did you mean" for a misspelt command or choice."""
@@ -100,6 +102,13 @@ def check_picture_name(name: str) -> None:
 
     if Path(name).suffix.lower() not in Image.registered_extensions():
         raise ValueError(f"{name}: the name must end in .png, .jpg or another picture format")
+
+
+def markdown(text: str) -> Any:
+    """Markdown for the console.  Formulas stay as they are written: their signs are none of Markdown's."""
+    from rich.markdown import Markdown
+
+    return Markdown(FORMULA.sub(lambda formula: re.sub(r"([\\_*])", r"\\\1", formula[0]), text))
 
 
 def console() -> Any:

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+from glsim.cli import main
 from glsim.course.cells import Lesson, lesson, lessons
 from glsim.course.outputs import execute
 from glsim.testing.snapshot import Snapshot
@@ -118,3 +119,11 @@ def test_a_lesson_is_a_program(tmp_path: Path) -> None:
     path = lesson("lambert").path
     done = subprocess.run([sys.executable, str(path)], cwd=tmp_path, capture_output=True, text=True, timeout=120)
     assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_a_shown_lesson_keeps_the_signs_of_its_formulas(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["lesson", "show", "lambert"]) == 0
+    shown = capsys.readouterr().out
+    formulas = re.findall(r"\$[^$]*\\,[^$]*\$", text_of(lesson("lambert")))
+    assert formulas, "the lesson has a formula with a space, which Markdown would take for a comma"
+    assert r"I_L\, k_d" in shown
