@@ -1,9 +1,6 @@
-"""The plugin in whole runs: the life of a baseline, what fails, the report, approval."""
+"""The plugin in whole runs: the life of a baseline, and what fails."""
 
 from __future__ import annotations
-
-import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,43 +11,9 @@ import glsim.testing.report
 import glsim.web.page  # noqa: F401
 from glsim.cli import main
 from glsim.testing import baselines
+from tests.testing.projects import DRAWN, ball, png
 
 pytest_plugins = "pytester"
-
-BALL = """
-    import numpy as np
-    def test_ball(gl_snapshot):
-        picture = np.full((20, 30, 3), [200, 100, {blue}], np.uint8)
-        gl_snapshot(picture)
-"""
-DRAWN = """
-    import pytest
-    import glsim
-    from glsim.gl import *
-    def draw():
-        glClearColor(0.0, 0.0, 1.0, 1.0)
-        glClear(GL_COLOR_BUFFER_BIT)
-        glBegin(GL_TRIANGLES)
-        for x, y in ((-0.8, -0.8), (0.8, -0.8), (0.0, 0.8)):
-            glVertex2f(x, y)
-        glEnd()
-"""
-
-
-@pytest.fixture
-def project(pytester: pytest.Pytester, monkeypatch: pytest.MonkeyPatch) -> pytest.Pytester:
-    """An outside project; not in CI."""
-    monkeypatch.delenv("CI", raising=False)
-    pytester.makeini("[pytest]\naddopts = -p no:cacheprovider -p no:hypothesispytest\n")
-    return pytester
-
-
-def ball(project: pytest.Pytester, blue: int = 0, more: str = "") -> None:
-    project.makepyfile(test_ball=BALL.replace("{blue}", str(blue)) + more)
-
-
-def png(project: pytest.Pytester, name: str = "test_ball", file: str = "test_ball") -> Path:
-    return project.path / "__gl_snapshots__" / file / f"{name}.png"
 
 
 def test_the_life_of_a_baseline(project: pytest.Pytester) -> None:
@@ -258,67 +221,6 @@ def test_a_picture_that_must_differ(project: pytest.Pytester) -> None:
     result.stdout.fnmatch_lines(["*mean is 0, and the test asks for 20 to 200."])
 
 
-def test_the_report(project: pytest.Pytester, capsys: pytest.CaptureFixture[str]) -> None:
-    ball(project)
-    project.runpytest_inprocess("--gl-update")
-    ball(project, blue=40, more="\n    def test_new(gl_snapshot):\n        gl_snapshot(np.zeros((4, 4)), 'first')\n")
-    result = project.runpytest_inprocess("--gl-report", "artifact")
-    result.stdout.fnmatch_lines(["1 pictures failed, 1 have no baseline", "report: artifact/index.html"])
-    folder = project.path / "artifact"
-    html = (folder / "index.html").read_text()
-    assert html.index("test_ball.py::test_ball") < html.index("test_ball.py::test_new")
-    assert "http://" not in html.replace("http://www.w3.org", "")
-    place = "__gl_snapshots__/test_ball"
-    assert (folder / "candidates" / place / "test_new-first.png").is_file()
-    with Image.open(folder / "differences" / place / "test_ball.png") as sheet:
-        assert sheet.getpixel((sheet.width - 100, sheet.height // 2)) == (0, 0, 255), "40 x 16, in blue"
-    capsys.readouterr()
-    assert main(["snapshots", "list", "artifact", "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert [(entry["status"], entry["name"]) for entry in told["snapshots"]] == [("failed", ""), ("missing", "first")]
-    assert project.runpytest_inprocess("--gl-report", "artifact", "-k", "nothing").ret == 5
-    assert not (folder / "candidates").exists(), "nothing of an earlier run is left"
-
-
-def test_a_downloaded_report_is_approved(project: pytest.Pytester, monkeypatch: pytest.MonkeyPatch) -> None:
-    """CI fails and keeps its folder; here its pictures become baselines; CI passes."""
-    ball(project, more="\n    def test_new(gl_snapshot):\n        gl_snapshot(np.zeros((4, 4)), 'first')\n")
-    monkeypatch.setenv("CI", "true")
-    project.runpytest_inprocess("--gl-report", "artifact").assert_outcomes(failed=2)
-    assert main(["snapshots", "approve", "artifact", "test_ball.py::test_ball"]) == 0
-    assert png(project).exists()
-    assert not png(project, "test_new-first").exists()
-    assert main(["snapshots", "approve", "artifact", "no such test"]) != 0
-    assert main(["snapshots", "approve", "artifact", "--json"]) == 0
-    project.runpytest_inprocess().assert_outcomes(passed=2)
-
-
-@pytest.mark.parametrize(
-    "folder", ["../outside/__gl_snapshots__/x", "/tmp/__gl_snapshots__/x", "src", "a/../../__gl_snapshots__/x"]
-)
-def test_a_strangers_report_writes_baselines_only(project: pytest.Pytester, folder: str) -> None:
-    ball(project)
-    project.runpytest_inprocess("--gl-report", "artifact")
-    path = project.path / "artifact" / "report.json"
-    report = json.loads(path.read_text())
-    report["snapshots"][0]["folder"] = folder
-    report["unused"] = [f"{folder}/x.png"]
-    path.write_text(json.dumps(report))
-    before = sorted(project.path.rglob("*"))
-    assert main(["snapshots", "approve", "artifact"]) != 0
-    assert main(["snapshots", "clean", "artifact"]) != 0
-    assert sorted(project.path.rglob("*")) == before
-
-
-def test_a_folder_with_other_files_is_left_alone(project: pytest.Pytester) -> None:
-    ball(project)
-    (project.path / "notes").mkdir()
-    (project.path / "notes" / "mine.txt").write_text("mine")
-    assert project.runpytest_inprocess("--gl-report", "notes").ret == pytest.ExitCode.USAGE_ERROR
-    assert (project.path / "notes" / "mine.txt").read_text() == "mine"
-    assert main(["snapshots", "list", "notes"]) != 0
-
-
 def test_wrong_markers_and_no_pictures(project: pytest.Pytester) -> None:
     project.makepyfile(
         """
@@ -376,22 +278,6 @@ def test_a_run_without_snapshots_imports_nothing_heavy(project: pytest.Pytester)
     project.runpytest_subprocess().assert_outcomes(passed=1)
 
 
-@pytest.mark.parametrize("right", [True, False])
-def test_a_picture_that_must_differ_is_never_approved(project: pytest.Pytester, right: bool) -> None:
-    """It is held against another snapshot's baseline, and must not take its place."""
-    project.makepyfile(
-        test_ball=BALL.replace("{blue}", "0")
-        + f"        gl_snapshot(np.full((20, 30, 3), 7 if {right} else picture, np.uint8), max=(5, 255))\n"
-    )
-    project.runpytest_inprocess("--gl-update")
-    before = png(project).read_bytes()
-    result = project.runpytest_inprocess("--gl-report", "out")
-    result.assert_outcomes(passed=int(right), failed=int(not right))
-    assert main(["snapshots", "approve", str(project.path / "out"), "--root", str(project.path)]) == 0
-    assert png(project).read_bytes() == before
-    assert not list(project.path.glob("out/candidates/**/*.png"))
-
-
 def test_a_machine_that_cannot_draw_fails_those_tests_alone(
     project: pytest.Pytester, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -401,14 +287,3 @@ def test_a_machine_that_cannot_draw_fails_those_tests_alone(
     result.assert_outcomes(errors=1, passed=1)
     result.stdout.fnmatch_lines(["*backend must be auto, egl*not 'nonsense'*"])
     result.stdout.no_fnmatch_line("*Traceback*")
-
-
-def test_a_folder_of_the_projects_own_is_left_alone(project: pytest.Pytester) -> None:
-    own = project.path / "gl-report"
-    own.mkdir()
-    (own / "index.html").write_text("mine")
-    ball(project)
-    result = project.runpytest_inprocess()
-    result.assert_outcomes(failed=1)
-    assert [path.name for path in own.iterdir()] == ["index.html"]
-    assert (own / "index.html").read_text() == "mine"
