@@ -8,7 +8,7 @@ import pytest
 import glsim
 from glsim.gl import *
 from glsim.glu import gluLookAt, gluPerspective
-from glsim.study.outside import _view, _world
+from glsim.study.world import view_of, world_of
 
 
 def frame_of(projection: str = "perspective", far: float = 9.0, lit: bool = True) -> glsim.Frame:
@@ -35,28 +35,28 @@ def frame_of(projection: str = "perspective", far: float = 9.0, lit: bool = True
 
 
 def test_corners_of_the_frustum() -> None:
-    world = _world(frame_of())
+    world = world_of(frame_of())
     t = np.tan(np.radians(30.0))
     expected = [(x * z * t, y * z * t, -z) for z in (1.0, 9.0) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     np.testing.assert_allclose(world.corners, expected, rtol=1e-5)
     np.testing.assert_allclose(world.eye, 0.0)
-    box = _world(frame_of("parallel"))
+    box = world_of(frame_of("parallel"))
     np.testing.assert_allclose(box.corners[0], (-2.0, -1.0, -1.0), rtol=1e-5)
     np.testing.assert_allclose(box.corners[6], (2.0, 3.0, -9.0), rtol=1e-5)
     assert not box.perspective
 
 
 def test_surfaces_and_lights_are_in_eye_space() -> None:
-    world = _world(frame_of())
+    world = world_of(frame_of())
     np.testing.assert_allclose(world.low, (-1, -1, -5), atol=1e-5)
     np.testing.assert_allclose(world.high, (1, 1, -5), atol=1e-5)
     assert list(world.lights) == [2]
     np.testing.assert_allclose(world.lights[2].position, (0, 1, -3, 1), atol=1e-5)
-    assert not _world(frame_of(lit=False)).lights
+    assert not world_of(frame_of(lit=False)).lights
 
 
 def test_the_picture_plane_lies_on_the_rays_of_the_frustum() -> None:
-    world = _world(frame_of())
+    world = world_of(frame_of())
     for corner, near in zip(world.plane, world.corners, strict=False):
         np.testing.assert_allclose(np.cross(corner, near), 0.0, atol=1e-6)
     assert world.high[2] < world.plane[0, 2] < -1.0
@@ -68,8 +68,8 @@ def test_what_gl_draws_is_where_the_view_says(azimuth: float, elevation: float) 
     frame = frame_of(lit=False)
     options = dict(azimuth=azimuth, elevation=elevation, image=False, axes=False, labels=False)
     image = np.asarray(glsim.outside(frame, width=600, height=400, **options)).astype(int)
-    world = _world(frame)
-    view = _view(world, (600, 400), azimuth, elevation)
+    world = world_of(frame)
+    view = view_of(world, (600, 400), azimuth, elevation)
     green = (image[..., 1] - image[..., 0] > 100) & (image[..., 1] - image[..., 2] > 100)
     places = np.array([view.at((x, y, -5.0)) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
     if azimuth == 90.0:  # seen from the edge: nothing of it
@@ -85,13 +85,13 @@ def test_what_gl_draws_is_where_the_view_says(azimuth: float, elevation: float) 
 
 def test_all_that_is_shown_has_room() -> None:
     for frame in (frame_of(), frame_of("parallel"), frame_of(far=1000.0)):
-        world = _world(frame)
-        view = _view(world, (600, 400), None, None)
+        world = world_of(frame)
+        view = view_of(world, (600, 400), None, None)
         points = [world.eye, *world.corners[:4], *(world.corners[4:] if world.far_shown else [])]
         for x, y in map(view.at, points):
             assert 0.0 <= x <= 600.0
             assert 0.0 <= y <= 400.0
-    assert not _world(frame_of(far=1000.0)).far_shown
+    assert not world_of(frame_of(far=1000.0)).far_shown
 
 
 def test_what_cannot_be_shown_is_said_in_a_sentence() -> None:
