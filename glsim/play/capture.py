@@ -39,11 +39,12 @@ def capture(calls: bool = False) -> Iterator[Frame]:
             before.packets += frame.packets
 
 
-def program_source(stage: str | None = None) -> str:
+def program_source(stage: str | None = None, *, es: bool = False) -> str:
     """The exact GLSL that the present state maps to, for filled triangles: the key as constants, then the sources of
     shaders/.
 
-    stage: "vertex" or "fragment"; None gives both, each under a comment line.  Raises ValueError for another stage.
+    stage: "vertex" or "fragment"; None gives both, each under a comment line.  es: the GLSL ES 3.00 that a browser
+    compiles; it differs in its first lines, and GL_ES is defined.  Raises ValueError for another stage.
     """
     from glsim.render.key import draw_key
     from glsim.render.programs import sources
@@ -51,7 +52,7 @@ def program_source(stage: str | None = None) -> str:
     machine = current_machine()
     nothing = Vertices(np.empty((0, ROW), np.float32), {}, [])
     triangles = Draw(GL_TRIANGLES, 0, 0, None, machine.matrices(), machine.material, machine.snapshot(), nothing)
-    text = sources(draw_key(triangles))
+    text = sources(draw_key(triangles), es)
     if stage is None:
         return "\n".join(f"// ---- {name} shader\n{source}" for name, source in text.items())
     if stage not in text:

@@ -11,6 +11,7 @@ from glsim.render.programs import expand, root_files, sources
 
 BINDINGS = {"Transforms": 0, "Materials": 1, "Lights": 2, "Raster": 3, "Texturing": 4}
 RECTANGLE_UNIT = TEXTURE_UNITS  # the texture unit beyond those of the API, for pixel rectangles
+SAMPLERS = {**{f"texture{number}": number for number in range(TEXTURE_UNITS)}, "rectangle": RECTANGLE_UNIT}
 
 
 class ShaderError(Exception):
@@ -18,21 +19,25 @@ class ShaderError(Exception):
 
 
 def build(gpu: GPU, key: ProgramKey) -> Program:
-    """Compile and link; uniform blocks get BINDINGS, samplers the texture units of their numbers.
+    """Compile and link a key's GLSL.
 
     Raises ShaderError that names the file in shaders/ and the line.
     """
     text = sources(key)
     try:
-        program: Program = gpu.program(vertex_shader=text["vertex"], fragment_shader=text["fragment"])
+        return link(gpu, text["vertex"], text["fragment"])
     except Exception as error:  # moderngl.Error; its text is the compiler's message
         raise ShaderError(_with_file_names(str(error), root_files(key))) from None
+
+
+def link(gpu: GPU, vertex: str, fragment: str) -> Program:
+    """A program of these texts; uniform blocks get BINDINGS, samplers SAMPLERS."""
+    program: Program = gpu.program(vertex_shader=vertex, fragment_shader=fragment)
     for name, binding in BINDINGS.items():
         block = program.get(name, None)
         if block is not None:
             block.binding = binding
-    samplers = {f"texture{number}": number for number in range(TEXTURE_UNITS)}
-    for name, number in {**samplers, "rectangle": RECTANGLE_UNIT}.items():
+    for name, number in SAMPLERS.items():
         if name in program:
             program[name] = number
     return program

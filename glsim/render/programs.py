@@ -154,7 +154,14 @@ def root_files(key: ProgramKey) -> dict[str, str]:
     return {"vertex": "main.vert", "fragment": "probe.frag" if key.probe else "main.frag"}
 
 
-def sources(key: ProgramKey) -> dict[str, str]:
-    """The exact GLSL of a key: {"vertex": ..., "fragment": ...}."""
-    front = "#version 330 core\n" + constants(key)
+FRONT = "#version 330 core\n"
+# OpenGL ES 3.0, which is WebGL2's, has GL_ES defined, and no precision by default
+ES_FRONT = "#version 300 es\n" + "".join(
+    f"precision highp {kind};\n" for kind in ("float", "int", "sampler2D", "sampler3D", "samplerCube", "sampler2DShadow")
+)
+
+
+def sources(key: ProgramKey, es: bool = False) -> dict[str, str]:
+    """The exact GLSL of a key: {"vertex": ..., "fragment": ...}.  es: as a browser compiles it, in GLSL ES 3.00."""
+    front = (ES_FRONT if es else FRONT) + constants(key)
     return {stage: front + expand(name)[0] for stage, name in root_files(key).items()}
