@@ -23,12 +23,19 @@ in vec4 vertex_color;
 in float fog_distance;
 flat in uint object_row;
 
+#if CLIPPING && defined(GL_ES)
+in vec3 clip_distances[2];          // see clip.glsl
+#endif
+
 layout(location = 0) out vec4 fragment_color;
 
 float covered = 1.0;    // how much of the pixel a smooth line or point covers; it multiplies the fragment's alpha
 
 void main()
 {
+#if CLIPPING && defined(GL_ES)
+    if (any(lessThan(min(clip_distances[0], clip_distances[1]), vec3(0.0)))) discard;
+#endif
     if ((WIDE_LINES || LINE_STIPPLE) && !SMOOTH_LINES && line_leaves_out(gl_FragCoord.xy)) discard;
     if (POLYGON_STIPPLE && !polygon_pattern(gl_FragCoord.xy)) discard;
 

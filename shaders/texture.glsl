@@ -38,12 +38,46 @@ vec4 as_depth(float depth, int unit)
     return vec4(vec3(depth), TEXTURE_IS_INTENSITY[unit] ? depth : 1.0);
 }
 
+#ifdef GL_ES
+// What OpenGL ES lacks: a bias of the level, borders, cube maps whose faces know nothing of each other.
+
+float level_scale(int unit)     // by which the bias makes derivatives larger
+{
+    return exp2(units[unit].lod_bias);
+}
+
+// How much of the filtered texel is inside of the texture along one axis; the rest is border.  s: the coordinate;
+// change: of s from pixel to pixel; size: of the texture, in texels
+float inside_along(float s, float change, float size, int unit, int axis)
+{
+    if (units[unit].border[axis] == 0.0) return 1.0;
+    vec2 distance = vec2(s, 1.0 - s) * size;                // from both ends, in texels
+    bool linear = (change * size > 1.0 ? units[unit].border.w : units[unit].magnified_is_linear) == 1.0;
+    if (linear) return min(clamp(distance.x + 0.5, 0.0, 1.0), clamp(distance.y + 0.5, 0.0, 1.0));
+    return float(distance.x >= 0.0 && distance.y > 0.0);
+}
+
+float inside(vec3 str, vec3 dx, vec3 dy, vec3 size, int unit)
+{
+    float covered = 1.0, change = 0.0;
+    for (int axis = 0; axis < 3; axis++) change = max(change, max(abs(dx[axis]), abs(dy[axis])) * size[axis]);
+    for (int axis = 0; axis < 3; axis++) covered *= inside_along(str[axis], change / size[axis], size[axis], unit, axis);
+    return covered;
+}
+#endif
+
 vec4 texel(sampler2D image, int unit, vec4 coordinates)
 {
     vec2 st = coordinates.st / coordinates.q;
     if (TEXTURE_IS_1D[unit]) st.t = 0.5;
     vec2 clamped = vec2(wrapped(st.s, unit, 0), wrapped(st.t, unit, 1));
+#ifdef GL_ES
+    vec2 dx = level_scale(unit) * dFdx(st), dy = level_scale(unit) * dFdy(st);
+    float covered = inside(vec3(clamped, 0.5), vec3(dx, 0.0), vec3(dy, 0.0), vec3(textureSize(image, 0), 1), unit);
+    vec4 T = mix(units[unit].border_color, textureGrad(image, clamped, dx, dy), covered);
+#else
     vec4 T = CLAMPS[unit] ? textureGrad(image, clamped, dFdx(st), dFdy(st)) : texture(image, st);
+#endif
     return TEXTURE_IS_DEPTH[unit] ? as_depth(T.r, unit) : T;
 }
 
@@ -61,12 +95,27 @@ vec4 texel(sampler3D image, int unit, vec4 coordinates)
 {
     vec3 str = coordinates.stp / coordinates.q;
     vec3 clamped = vec3(wrapped(str.s, unit, 0), wrapped(str.t, unit, 1), wrapped(str.p, unit, 2));
+#ifdef GL_ES
+    vec3 dx = level_scale(unit) * dFdx(str), dy = level_scale(unit) * dFdy(str);
+    float covered = inside(clamped, dx, dy, vec3(textureSize(image, 0)), unit);
+    return mix(units[unit].border_color, textureGrad(image, clamped, dx, dy), covered);
+#else
     return CLAMPS[unit] ? textureGrad(image, clamped, dFdx(str), dFdy(str)) : texture(image, str);
+#endif
 }
 
 vec4 texel(samplerCube image, int unit, vec4 coordinates)
 {
+#ifdef GL_ES
+    vec3 str = coordinates.stp, size = abs(str);
+    float largest = max(size.x, max(size.y, size.z)), edge = 1.0 - 1.0 / float(textureSize(image, 0).x);
+    vec3 held = clamp(str / largest, -edge, edge);          // not beyond the middle of a face's last texel
+    for (int axis = 0; axis < 3; axis++) if (size[axis] == largest) held[axis] = sign(str[axis]);
+    float scale = level_scale(unit) / largest;
+    return textureGrad(image, held, scale * dFdx(str), scale * dFdy(str));
+#else
     return texture(image, coordinates.stp);
+#endif
 }
 
 // ---------------------------------------------------------------- GL_COMBINE

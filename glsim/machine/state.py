@@ -194,6 +194,12 @@ class TextureUnit(NamedTuple):
                 return texture if texture.complete else None
         return None
 
+    @property
+    def level_bias(self) -> float:
+        """What is added to the level of detail: the active texture's bias and the unit's (section 3.8.8)."""
+        texture = self.active
+        return min(max((texture.sampler.lod_bias if texture else 0.0) + self.lod_bias, -15.0), 15.0)
+
 
 class Texturing(NamedTuple):
     """Group GL_TEXTURE_BIT: all units, and the one that glActiveTexture chose."""

@@ -147,6 +147,12 @@ class Texture:
         return self.sampler.depth_mode if self.is_depth else base.base_format
 
     @property
+    def border_color(self) -> NDArray[Any]:
+        """The border's colour as texels have it, (4,): table 3.15."""
+        assert self.base is not None
+        return in_base_format(np.array(self.sampler.border_color), self.base.base_format, 1.0)
+
+    @property
     def mipmapped(self) -> bool:
         return self.sampler.min_filter not in (gl.GL_NEAREST, gl.GL_LINEAR)
 

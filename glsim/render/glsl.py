@@ -50,7 +50,9 @@ def preprocessed(source: str) -> tuple[str, Constants]:
             if not any(text.split("//")[0].strip() for text in lines[begun:]):
                 del lines[begun:]  # nothing but comments is left of it
             begun = len(lines)
-        if word == "if":
+        if word in ("ifdef", "ifndef"):
+            rest = f"{'!' * (word == 'ifndef')}defined({rest})"
+        if word in ("if", "ifdef", "ifndef"):
             active.append(active[-1] and _true(rest, macros))
         elif word == "elif":
             before = active.pop()
@@ -77,8 +79,16 @@ def _note(constants: Constants, name: str, value: str, array: bool) -> None:
 
 
 def _true(condition: str, macros: dict[str, str]) -> bool:
-    """Whether the condition of an #if holds: "NAME", "NAME == OTHER" or "NAME != OTHER"."""
-    left, operator, right = re.fullmatch(r"(\w+)\s*(==|!=)?\s*(\w+)?", condition).groups()  # type: ignore[union-attr]
+    """Whether the condition of an #if holds: one or more of "NAME", "NAME == OTHER", "NAME != OTHER", "defined(NAME)" and
+    "!defined(NAME)", joined by &&."""
+    return all(_holds(part.strip(), macros) for part in condition.split("&&"))
+
+
+def _holds(part: str, macros: dict[str, str]) -> bool:
+    asked = re.fullmatch(r"(!?)defined\((\w+)\)", part)
+    if asked is not None:
+        return (asked[2] in macros) != bool(asked[1])
+    left, operator, right = re.fullmatch(r"(\w+)\s*(==|!=)?\s*(\w+)?", part).groups()  # type: ignore[union-attr]
     a = int(macros.get(left, left) or 0)
     if operator is None:
         return a != 0

@@ -11,18 +11,20 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from itertools import groupby
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from glsim.machine import constants as gl
 from glsim.machine.frame import Accum, Frame, Packet, Pixels, QueryMark
-from glsim.render.context import Offscreen, own_screen
 from glsim.render.draw import Renderer
 from glsim.render.gpu import Buffer, Program, VertexArray
 from glsim.render.raw import SIGNATURES
 from glsim.render.specialise import specialised
 from glsim.render.tape import Picture, Tape
+
+if TYPE_CHECKING:
+    from glsim.render.context import Offscreen
 
 SMALLEST_BLOCK = 16384  # bytes of a uniform block that every WebGL2 has room for
 # commands that change nothing about the picture, or speak about framebuffers, which a player has of its own
@@ -213,6 +215,8 @@ def _record(tape: Tape, picture: Picture, packets: Iterable[Packet]) -> None:
     with ExitStack() as resources:
         screen: Offscreen | None = None
         if any(map(_reads, packets)):
+            from glsim.render.context import own_screen  # it needs moderngl, which a browser lacks
+
             screen = resources.enter_context(own_screen(tape.width, tape.height, samples=tape.samples))
         for _, group in groupby(enumerate(packets, 1), key=lambda numbered: _reads(numbered[1]) and numbered[0]):
             run = [packet for _, packet in group]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from glsim.machine import constants as gl
 from glsim.machine.state import TextureUnit
-from glsim.machine.texture import CUBE, Images, Texture, in_base_format
+from glsim.machine.texture import CUBE, Images, Texture
 from glsim.render.compile import RECTANGLE_UNIT
 from glsim.render.gpu import Commands
 
@@ -55,9 +55,9 @@ class Textures:
             self._delete_garbage()
             uploaded = self.names[texture.images] = _Name(self._upload(texture, target), self.garbage)
         raw.glBindTexture(target, uploaded.name)
-        parameters = texture.sampler, unit.lod_bias
+        parameters = texture.sampler, unit.level_bias
         if uploaded.parameters != parameters:
-            self._set_parameters(texture, target, unit.lod_bias)
+            self._set_parameters(texture, target, unit.level_bias)
             uploaded.parameters = parameters
 
     def rectangle(self, image: NDArray[Any]) -> None:
@@ -106,7 +106,7 @@ class Textures:
             upload(place, level, form[0], *size, 0, *form[1:], texels.ctypes.data)
         return name
 
-    def _set_parameters(self, texture: Texture, target: int, lod_bias: float) -> None:
+    def _set_parameters(self, texture: Texture, target: int, level_bias: float) -> None:
         raw, sampler = self.raw, texture.sampler
         last = sampler.max_level if texture.mipmapped else sampler.base_level
         integers: list[tuple[int, int]] = [
@@ -125,13 +125,10 @@ class Textures:
         integers += [(pname, gl.GL_CLAMP_TO_BORDER if wrap == gl.GL_CLAMP else wrap) for pname, wrap in wraps]
         for pname, value in integers:
             raw.glTexParameteri(target, pname, value)
-        bias = min(max(sampler.lod_bias + lod_bias, -15.0), 15.0)
         for pname, number in (
             (gl.GL_TEXTURE_MIN_LOD, sampler.min_lod), (gl.GL_TEXTURE_MAX_LOD, sampler.max_lod),
-            (gl.GL_TEXTURE_LOD_BIAS, bias),
+            (gl.GL_TEXTURE_LOD_BIAS, level_bias),
         ):  # fmt: skip
             raw.glTexParameterf(target, pname, number)
-        assert texture.base is not None
-        color = in_base_format(np.array(sampler.border_color), texture.base.base_format, 1.0)  # table 3.15
-        border = (ctypes.c_float * 4)(*color)
+        border = (ctypes.c_float * 4)(*texture.border_color)
         raw.glTexParameterfv(target, gl.GL_TEXTURE_BORDER_COLOR, border)

@@ -18,8 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import data_folder
+from glsim.machine import constants as gl
 from glsim.machine.matrix import Matrix, evaluate, inverse_transpose, multiply
 from glsim.machine.state import TEXTURE_UNITS, Light, Lighting, Material, Snapshot, TextureUnit
+from glsim.machine.texture import Texture
 from glsim.render.batch import Object
 from glsim.render.lines import line_width
 
@@ -162,6 +164,24 @@ def raster(state: Snapshot, origin: tuple[int, int] = (0, 0), probe: int = 0, ma
     return block
 
 
+BORDERS = (gl.GL_CLAMP, gl.GL_CLAMP_TO_BORDER)
+LINEAR = (gl.GL_LINEAR, gl.GL_LINEAR_MIPMAP_NEAREST, gl.GL_LINEAR_MIPMAP_LINEAR)
+
+
+@lru_cache(maxsize=256)
+def _for_browsers(texture: Texture, level_bias: float) -> dict[str, Any]:
+    """The members of a Unit that stand for what textures of OpenGL ES lack."""
+    sampler = texture.sampler
+    borders = [wrap in BORDERS for wrap in (sampler.wrap_s, sampler.wrap_t, sampler.wrap_r)]
+    borders[texture.kind :] = [False] * len(borders[texture.kind :])
+    return {
+        "lod_bias": level_bias,
+        "magnified_is_linear": sampler.mag_filter == gl.GL_LINEAR,
+        "border_color": texture.border_color,
+        "border": (*borders, sampler.min_filter in LINEAR),
+    }
+
+
 def texturing(units: Sequence[TextureUnit], matrices: Sequence[Matrix]) -> Rows:
     """The block Texturing: () TEXTURING.  matrices: of the units from 1 on."""
     block = np.zeros((), TEXTURING)
@@ -173,6 +193,10 @@ def texturing(units: Sequence[TextureUnit], matrices: Sequence[Matrix]) -> Rows:
     for plane in ("object_plane", "eye_plane"):
         rows[plane] = [[getattr(generator, plane) for generator in unit.generators] for unit in units]
     rows["matrix"] = np.eye(4, dtype=np.float32)
+    for number, unit in enumerate(units):
+        if unit.active is not None:
+            for name, value in _for_browsers(unit.active, unit.level_bias).items():
+                rows[name][number] = value
     for number in range(1, TEXTURE_UNITS if matrices else 1):
         rows["matrix"][number] = matrices[number - 1].get()
     return block
