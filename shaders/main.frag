@@ -63,7 +63,7 @@ void main()
     if (SEPARATE_SPECULAR || COLOR_SUM) color.rgb = min(color.rgb + highlight, 1.0);
     if (FOG != FOG_OFF) color.rgb = mix(fog_color.rgb, color.rgb, fog_factor(fog_distance));
     if (SMOOTH_LINES || POINT_SMOOTH) {
-        if (SMOOTH_LINES) covered = line_coverage(line_ends, gl_FragCoord.xy, line_pixels);
+        if (SMOOTH_LINES) covered = line_coverage(line_ends, gl_FragCoord.xy, LINE_STIPPLE ? line_pixels : 0.0);
         else covered = point_coverage(point_diameter);
         if (covered == 0.0) discard;
         color.a *= covered;

@@ -57,6 +57,16 @@ float inside_along(float s, float change, float size, int unit, int axis)
     return float(distance.x >= 0.0 && distance.y > 0.0);
 }
 
+// The comparison with a border's depth.  border: the depth and GL_TEXTURE_COMPARE_FUNC
+float passes(float r, vec4 border)
+{
+    int how = int(border.g);
+    bool less = r < border.r, equal = r == border.r;
+    return float(how == GL_ALWAYS || (how == GL_LESS && less) || (how == GL_LEQUAL && (less || equal)) ||
+        (how == GL_EQUAL && equal) || (how == GL_GEQUAL && !less) || (how == GL_GREATER && !less && !equal) ||
+        (how == GL_NOTEQUAL && !equal));
+}
+
 float inside(vec3 str, vec3 dx, vec3 dy, vec3 size, int unit)
 {
     float covered = 1.0, change = 0.0;
@@ -87,7 +97,13 @@ vec4 texel(sampler2DShadow image, int unit, vec4 coordinates)
     vec3 str = coordinates.stp / coordinates.q;
     if (TEXTURE_IS_1D[unit]) str.t = 0.5;
     vec3 clamped = vec3(wrapped(str.s, unit, 0), wrapped(str.t, unit, 1), clamp(str.p, 0.0, 1.0));
+#ifdef GL_ES
+    vec2 dx = level_scale(unit) * dFdx(str.st), dy = level_scale(unit) * dFdy(str.st);
+    float covered = inside(vec3(clamped.st, 0.5), vec3(dx, 0.0), vec3(dy, 0.0), vec3(textureSize(image, 0), 1), unit);
+    float passed = mix(passes(clamped.p, units[unit].border_color), textureGrad(image, clamped, dx, dy), covered);
+#else
     float passed = CLAMPS[unit] ? textureGrad(image, clamped, dFdx(str.st), dFdy(str.st)) : texture(image, clamped);
+#endif
     return as_depth(passed, unit);
 }
 

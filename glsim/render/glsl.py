@@ -29,9 +29,11 @@ class Constants:
     arrays: dict[str, list[Value]] = field(default_factory=dict)
 
 
-def preprocessed(source: str) -> tuple[str, Constants]:
-    """The text as the preprocessor leaves it, without the constants in front; and those constants."""
-    macros: dict[str, str] = {}
+def preprocessed(source: str, es: bool = False) -> tuple[str, Constants]:
+    """The text as the preprocessor leaves it, without the constants in front; and those constants.
+
+    es: for OpenGL ES, where GL_ES is defined."""
+    macros: dict[str, str] = {"GL_ES": "1"} if es else {}
     constants = Constants()
     active = [True]
     lines = []

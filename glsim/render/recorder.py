@@ -20,7 +20,7 @@ from glsim.machine.frame import Accum, Frame, Packet, Pixels, QueryMark
 from glsim.render.draw import Renderer
 from glsim.render.gpu import Buffer, Program, VertexArray
 from glsim.render.raw import SIGNATURES
-from glsim.render.specialise import specialised
+from glsim.render.specialise import specialised_body, split
 from glsim.render.tape import Picture, Tape
 
 if TYPE_CHECKING:
@@ -142,9 +142,10 @@ class _Program:
 
     def __init__(self, recorder: TapeRecorder, vertex: str, fragment: str) -> None:
         self.number = recorder.name()
-        self.inputs = set(re.findall(r"^in \w+ (\w+);", specialised(vertex), re.MULTILINE))
-        texts = [[recorder.tape.blob(part.encode()) for part in _parts(text)] for text in (vertex, fragment)]
-        recorder.operations.append(["program", self.number, *texts])
+        bodies = [split(text)[1] for text in (vertex, fragment)]
+        texts = [specialised_body(body, es) for es in (False, True) for body in bodies]
+        self.inputs = set(re.findall(r"^in \w+ (\w+);", texts[0], re.MULTILINE))
+        recorder.operations.append(["program", self.number, *(recorder.tape.blob(text.encode()) for text in texts)])
 
     def __contains__(self, name: str) -> bool:
         return name in self.inputs
@@ -170,12 +171,6 @@ class _VertexArray:
 def _plain(value: Any) -> float | int:
     """A number that JSON has."""
     return float(value) if isinstance(value, (float, np.floating)) else int(value)
-
-
-def _parts(text: str) -> list[str]:
-    """A program's text without its first line (the version): the constants, and what all programs share."""
-    front, line, body = text.partition("\n")[2].partition("#line")
-    return [front, line + body]
 
 
 def _layout(layout: str, names: Sequence[str]) -> list[Any]:

@@ -78,11 +78,9 @@ class _Player:
     def on_uniform(self, binding: int, number: int, offset: int, size: int) -> None:
         self.buffers[number].bind_to_uniform_block(binding, offset=offset, size=size)
 
-    def on_program(self, number: int, vertex: list[int], fragment: list[int]) -> None:
-        self.programs[number] = link(self.gpu, self._text(vertex), self._text(fragment))
-
-    def _text(self, parts: list[int]) -> str:
-        return FRONT + b"".join(self.tape.blobs[part] for part in parts).decode()
+    def on_program(self, number: int, vertex: int, fragment: int, *es: int) -> None:
+        texts = (FRONT + self.tape.blobs[blob].decode() for blob in (vertex, fragment))
+        self.programs[number] = link(self.gpu, *texts)
 
     def on_array(self, number: int, program: int, parts: list[Any], indices: int) -> None:
         linked = self.programs[program]

@@ -7,21 +7,36 @@ language is the part of GLSL 330 that shaders/ is written in.
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from glsim.render.fold import Folder, value_text
 from glsim.render.glsl import Constants, Token, Value, preprocessed, tokens_of, top_level
+from glsim.render.programs import ES_FRONT, FRONT
 
 
 def specialised(source: str) -> str:
     """The source (programs.sources) after preprocessing, folding and dropping what is not used."""
-    text, constants = preprocessed(source)
+    front, text = split(source)
+    return front + specialised_body(text, front == ES_FRONT)
+
+
+def split(source: str) -> tuple[str, str]:
+    """The lines in front (FRONT or ES_FRONT), and the text behind them."""
+    front = ES_FRONT if source.startswith(ES_FRONT) else FRONT
+    return front, source.removeprefix(front)
+
+
+@lru_cache(maxsize=256)
+def specialised_body(body: str, es: bool = False) -> str:
+    """The text behind the lines in front, specialised.  es: for OpenGL ES."""
+    text, constants = preprocessed(body, es)
     pieces = top_level(tokens_of(text))
     folded = [Folder(constants, piece).piece() for piece in pieces]
     chosen = used([piece for piece in folded if piece], constants)
     body = "".join(token.space + token.text for piece in chosen for token in piece)
     body = re.sub(r"[ \t]+\n", "\n", body)
     body = re.sub(r"(\);)(// )", r"\1\n\n\2", body)
-    return "#version 330 core\n" + re.sub(r"\n{3,}", "\n\n", body).strip() + "\n"
+    return re.sub(r"\n{3,}", "\n\n", body).strip() + "\n"
 
 
 KEYWORDS = {

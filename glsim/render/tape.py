@@ -25,7 +25,8 @@ Operations; buffers, programs and arrays are numbers, a blob is its number in ``
     ["buffer", number, size]                   take new memory for a buffer
     ["write", number, blob]                    copy to the beginning of a buffer
     ["uniform", binding, buffer, offset, size] what a uniform block reads
-    ["program", number, [blob, ...], [blob, ...]]   the texts of the vertex and of the fragment shader, to be joined
+    ["program", number, vertex, fragment, vertex in ES, fragment in ES]   blobs with the shaders' texts: shaders/ with
+                                               the constants folded (render/specialise.py)
     ["array", number, program, [[buffer, stride, per instance, [[input, components, "f" or "u", offset], ...]], ...],
         index buffer]                          a program's inputs
     ["draw", array, mode, count, first, instances]  indexed, with 32 bits for each index

@@ -174,10 +174,13 @@ def _for_browsers(texture: Texture, level_bias: float) -> dict[str, Any]:
     sampler = texture.sampler
     borders = [wrap in BORDERS for wrap in (sampler.wrap_s, sampler.wrap_t, sampler.wrap_r)]
     borders[texture.kind :] = [False] * len(borders[texture.kind :])
+    border_color = texture.border_color
+    if texture.is_depth and sampler.compare_mode:
+        border_color[1] = float(sampler.compare_func)
     return {
         "lod_bias": level_bias,
         "magnified_is_linear": sampler.mag_filter == gl.GL_LINEAR,
-        "border_color": texture.border_color,
+        "border_color": border_color,
         "border": (*borders, sampler.min_filter in LINEAR),
     }
 

@@ -1,0 +1,16 @@
+"""The JavaScript modules of this folder as one text, for pages that are one file: a page that is opened from a disk may
+not import other files."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+PLAYER = ("tape.js", "destination.js", "player.js")  # each imports only those before it
+
+
+def joined(names: tuple[str, ...] = PLAYER) -> str:
+    """The modules, one after the other, in one scope: without their imports of each other and without ``export``."""
+    texts = ((Path(__file__).with_name(name)).read_text(encoding="utf-8") for name in names)
+    text = "\n".join(re.sub(r'^import \{[^}]*\} from "\./\w+\.js";\n', "", text, flags=re.MULTILINE) for text in texts)
+    return re.sub(r"^export (?=class|function|const|async)", "", text, flags=re.MULTILINE)
