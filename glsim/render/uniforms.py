@@ -70,6 +70,7 @@ def std140(members: Sequence[tuple[str, str, str]], structures: dict[str, np.dty
 
 _state, _raster, _unit = (layouts(file) for file in ("state.glsl", "raster.glsl", "unit.glsl"))
 TRANSFORM, MATERIAL = _state["Transform"], _state["Material"]  # both fill ROW_SIZE bytes
+FACE_OF_MATERIAL, UNIT = _state["Face"], _unit["Unit"]
 LIGHT, LIGHTS, RASTER, TEXTURING = _state["Light"], _state["Lights"], _raster["Raster"], _unit["Texturing"]
 ROW_SIZE = 256
 
@@ -101,9 +102,11 @@ def materials(objects: Sequence[Object]) -> Rows:
         if id(entry.material) not in number:
             number[id(entry.material)] = len(different)
             different.append(entry.material)
-    table = np.array([(*material, 0.0, 0.0) for material in different], MATERIAL)  # the fields of a Face are FACE's
+    table = np.zeros(len(different), MATERIAL)  # so that bytes between the members are always the same
+    table[["front", "back"]] = different  # the fields of a Face are FACE's
     if len(different) != len(objects):
-        table = table[[number[id(entry.material)] for entry in objects]]
+        rows = table.view(f"V{MATERIAL.itemsize}")  # which are copied whole, unlike structures
+        table = rows[[number[id(entry.material)] for entry in objects]].view(MATERIAL)
     table["color"] = [entry.color or (0.0, 0.0, 0.0, 0.0) for entry in objects]
     return table
 
@@ -113,13 +116,13 @@ def lights(lighting: Lighting) -> Rows:
     block = np.zeros((), LIGHTS)
     rows = block["lights"]
     for k, light in enumerate(lighting.lights):
-        rows[k] = _light(light)
+        rows[k] = light_row(light)
     block["I_a_scene"] = lighting.ambient
     return block
 
 
 @lru_cache(maxsize=256)
-def _light(light: Light) -> Rows:
+def light_row(light: Light) -> Rows:
     """struct Light: () LIGHT."""
     x, y, z, w = light.position
     position = (x / w, y / w, z / w) if w else _unit_vector((x, y, z))

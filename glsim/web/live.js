@@ -1,0 +1,336 @@
+/**
+ * <glsim-live>: a picture that can be turned, lit and shaded anew in the browser.  live.py writes its children: the still
+ * picture, which a reader without WebGL2 and a printer get; the data as JSON; the tape, compressed, as base64.
+ *
+ * @typedef {import("./scene.js").Moment} Moment
+ * @typedef {import("./scene.js").Layout} Layout
+ * @typedef {import("./panel.js").Named} Named
+ * @typedef {{name: string, blob: number}} Stage  radiosities of all vertices, three numbers of 16 bits each
+ * @typedef {{stages: Stage[], first: number, white: number, gamma: number, tone: string, rows: number, stride: number,
+ *   offset: number}} Radiosity  rows: the blob of vertices whose colours, at offset, are the tone-mapped radiosity
+ * @typedef {{title: string, modes: string[], lobes: string[], frames: string[], mode: string, lobe: string,
+ *   pictures: Record<string, number>, moments: Moment[], layout: Layout, controls: string[], named: Named[], notes: string[],
+ *   radiosity: Radiosity?}} Data  pictures: "frame mode lobe" -> number on the tape; "frame edges": the polygons' edges
+ */
+import { Tape, planned } from "./tape.js";
+import { Player } from "./player.js";
+import { RESTING, Scene } from "./scene.js";
+import { pick, vectors } from "./pick.js";
+import { literal, lines } from "./source.js";
+import { Overlay } from "./overlay.js";
+import { turning } from "./turning.js";
+import { Panel, choices, element } from "./panel.js";
+import { colours } from "./radiosity.js";
+
+/** @param {string} text  base64 */
+async function inflated(text) {
+  const packed = Uint8Array.from(atob(text.trim()), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** @param {string} text  base64 */
+const bytesOf = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+
+export class Live extends HTMLElement {
+  /** Resolves when the first picture is shown. @type {Promise<void>?} */
+  ready = null;
+  /** @type {Promise<void>?} */ waiting = null;
+  /** @type {import("./pick.js").Point?} */ point = null;
+
+  connectedCallback() {
+    this.ready ??= this.#begin().catch((error) => this.#fail(error));
+  }
+
+  /** The still picture stays, with a sentence.  @param {Error} error */
+  #fail(error) {
+    this.dataset.state = "failed";
+    this.append(element("p", { className: "live-note", textContent: error.message }));
+  }
+
+  async #begin() {
+    const script = (/** @type {string} */ kind) => this.querySelector(`script[type="${kind}"]`)?.textContent ?? "";
+    /** @type {Data} */ const data = JSON.parse(script("application/json"), (key, value) => (key === "row" ? bytesOf(value) : value));
+    this.dataset.state = "compiling";
+    this.data = data;
+    this.tape = new Tape(await inflated(script("application/x-glsim-tape")));
+    this.plans = data.moments && Object.fromEntries(Object.entries(data.pictures).map(([name, number]) =>
+      [name, planned(/** @type {Tape} */ (this.tape), number)]));
+    this.look = { frame: 0, mode: data.mode, lobe: data.lobe, edges: false, stage: data.radiosity?.first ?? 0, exposure: 1 };
+    this.scene = new Scene(data.moments[0], data.layout);
+    this.#build();
+    this.#restore();
+    this.#tell();
+    await this.#prepare();
+    this.draw();
+    this.querySelector("figure")?.setAttribute("hidden", "");
+    this.dataset.state = "ready";
+  }
+
+  // ------------------------------------------------------------ what is seen
+
+  #build() {
+    const { data } = this, tape = /** @type {Tape} */ (this.tape), root = this.shadowRoot ?? this.attachShadow({ mode: "open" });
+    const style = new CSSStyleSheet();
+    style.replaceSync(LIVE_CSS);
+    root.adoptedStyleSheets = [style];
+    const canvas = /** @type {HTMLCanvasElement} */ (element("canvas", { className: "picture" }));
+    const over = /** @type {HTMLCanvasElement} */ (element("canvas", { className: "over" }));
+    this.stage = element("div", { className: "stage", tabIndex: 0, role: "application",
+      ariaLabel: `${data?.title}: arrow keys turn the camera, plus and minus bring it nearer, 0 puts it back` }, canvas, over,
+      element("p", { className: "state", textContent: "compiling the shaders …" }));
+    this.style.setProperty("--width", `${tape.width}px`);
+    this.stage.style.aspectRatio = `${tape.width} / ${tape.height}`;
+    this.player = new Player(canvas, tape);
+    this.player.oncontext = (lost) => {
+      this.dataset.state = lost ? "lost" : "ready";
+      if (!lost) this.draw();
+    };
+    this.overlay = new Overlay(over, tape.width, tape.height);
+    turning(this.stage, tape.width, this.#doing());
+    new ResizeObserver(() => this.draw()).observe(this.stage);
+    this.gaps = element("ul", { className: "gaps" });
+    root.replaceChildren(element("div", { className: "live" }, element("div", { className: "left" }, this.stage, this.gaps),
+      element("div", { className: "panel" }, ...this.#controls())), element("slot"));
+  }
+
+  #controls() {
+    const data = /** @type {Data} */ (this.data), wants = (/** @type {string} */ name) => data.controls.includes(name);
+    const look = /** @type {NonNullable<typeof this.look>} */ (this.look), parts = [];
+    const choose = (/** @type {"mode" | "lobe"} */ axis) => (/** @type {string} */ name) => ((look[axis] = name), this.change());
+    /** @type {Record<string, HTMLElement>} */ this.choices = {};
+    if (wants("mode") && data.modes.length > 1) this.choices.mode = choices("shade model", data.modes, choose("mode"));
+    if (wants("lobe") && data.lobes.length > 1) this.choices.lobe = choices("specular lobe", data.lobes, choose("lobe"), LOBE_NAMES);
+    parts.push(...Object.values(this.choices));
+    if (data.radiosity) parts.push(...this.#radiosity(data.radiosity));
+    if (data.frames.length > 1) parts.push(this.#scrubber("picture", data.frames, 0, (number) => this.#frame(number)));
+    if (wants("edges") && "0 edges" in data.pictures) parts.push(this.#edges(look));
+    this.panel = new Panel(/** @type {Scene} */ (this.scene), { set: (name, value) => this.set(name, value) }, data.controls, data.named);
+    this.source = element("pre", { className: "source", tabIndex: 0 });
+    this.changes = element("div", { className: "changes" }, this.source, this.#button("Copy", () => this.#copy(this.source?.textContent ?? "")),
+      this.#button("Link", () => this.#copy(this.link())), this.#button("Reset", () => this.reset()));
+    return [...parts, ...this.panel.groups, this.changes,
+      element("p", { className: "help", textContent: "Drag: turn. Shift or two fingers: move. Wheel or pinch: nearer. Click: N, L, V there." })];
+  }
+
+  /** @param {string} title @param {string[]} names @param {number} first @param {(number: number) => void} choose */
+  #scrubber(title, names, first, choose) {
+    const output = element("output", { textContent: names[first] });
+    const input = /** @type {HTMLInputElement} */ (element("input", { type: "range", min: 0, max: names.length - 1, value: first, ariaLabel: title }));
+    input.addEventListener("input", () => {
+      output.textContent = names[+input.value];
+      choose(+input.value);
+    });
+    return element("label", { className: "row" }, `${title} `, output, input);
+  }
+
+  /** @param {{edges: boolean}} look */
+  #edges(look) {
+    const input = this.edges = /** @type {HTMLInputElement} */ (element("input", { type: "checkbox" }));
+    input.addEventListener("input", () => ((look.edges = input.checked), this.change()));
+    return element("label", { className: "row" }, input, " edges of polygons");
+  }
+
+  /** @param {string} title @param {() => void} act */
+  #button(title, act) {
+    const button = element("button", { type: "button", textContent: title });
+    button.addEventListener("click", act);
+    return button;
+  }
+
+  /** @param {string} text */
+  #copy(text) {
+    navigator.clipboard?.writeText(text);
+  }
+
+  /** The stages of a solution, and the exposure.  @param {Radiosity} radiosity */
+  #radiosity({ stages, first }) {
+    const look = /** @type {NonNullable<typeof this.look>} */ (this.look);
+    const output = element("output", { textContent: "1" });
+    const exposure = /** @type {HTMLInputElement} */ (element("input", { type: "range", min: -3, max: 3, step: 0.05, value: 0, ariaLabel: "exposure" }));
+    exposure.addEventListener("input", () => {
+      look.exposure = 2 ** +exposure.value;
+      output.textContent = literal(look.exposure);
+      this.change();
+    });
+    return [this.#scrubber("light", stages.map(({ name }) => name), first, (number) => ((look.stage = number), this.change())),
+      element("label", { className: "row" }, "exposure ", output, exposure)];
+  }
+
+  // ------------------------------------------------------------ what changes it
+
+  /** @returns {import("./turning.js").Doing} */
+  #doing() {
+    const scene = /** @type {Scene} */ (this.scene), tape = /** @type {Tape} */ (this.tape), overlay = /** @type {Overlay} */ (this.overlay);
+    const { orbit } = scene, lit = () => this.data?.controls.includes("lights");
+    let held = -1;
+    const pixel = () => { // of eye space at the centre's distance
+      const { camera } = scene.moment, projection = scene.projection, z = projection[15] === 0 ? camera.centre[2] : 1;
+      return (2 * Math.abs(z)) / (projection[0] * tape.width);
+    };
+    return {
+      grab: (x, y) => {
+        const near = (/** @type {import("./overlay.js").Handle} */ handle) => Math.hypot(handle.x - x, handle.y - y) < 16 * (overlay.unit ?? 1);
+        held = lit() ? overlay.handles(scene).find(near)?.number ?? -1 : -1;
+        return held >= 0;
+      },
+      drag: (x, y) => {
+        const place = overlay.dragged(scene, held, x, y);
+        if (place) this.set(`light.${held}.position`, scene.lightValueAt(held, place).map((/** @type {number} */ value) => Number(value.toFixed(3))));
+      },
+      turn: (dx, dy) => {
+        orbit.yaw = (orbit.yaw + (180 * dx) / tape.width) % 360;
+        orbit.pitch = Math.max(-180, Math.min(180, orbit.pitch + (180 * dy) / tape.width));
+        this.turned();
+      },
+      move: (dx, dy) => ((orbit.x += dx * pixel()), (orbit.y -= dy * pixel()), this.turned()),
+      zoom: (factor) => ((orbit.zoom = Math.max(0.2, Math.min(20, orbit.zoom * factor))), this.turned()),
+      click: (x, y) => this.ask(x, y),
+      reset: () => (Object.assign(orbit, RESTING), this.turned()),
+    };
+  }
+
+  /** Change a value, by its name in Scene.changed; undefined gives it back.
+   * @param {string} name @param {import("./scene.js").Value | undefined} value */
+  set(name, value) {
+    this.scene?.set(name, value);
+    this.change();
+  }
+
+  /** Turn the camera: degrees, lengths of eye space, zoom.  @param {Partial<import("./scene.js").Orbit>} orbit */
+  orbit(orbit) {
+    Object.assign(/** @type {Scene} */ (this.scene).orbit, orbit);
+    this.turned();
+  }
+
+  turned() {
+    if (this.scene) this.scene.version++;
+    this.point = null;
+    this.change();
+  }
+
+  /** Show another shade model, lobe, stage, exposure or the edges.  @param {Record<string, any>} look */
+  show(look) {
+    Object.assign(/** @type {object} */ (this.look), look);
+    return this.change();
+  }
+
+  /** @param {number} number */
+  #frame(number) {
+    if (!this.look || !this.scene || !this.data) return;
+    this.look.frame = number;
+    this.scene.moment = this.data.moments[number];
+    this.scene.version++;
+    this.point = null;
+    this.change();
+  }
+
+  /** Show the vectors at a point, in pixels from the upper left corner.  @param {number} x @param {number} y */
+  ask(x, y) {
+    const { tape, scene } = this;
+    if (tape && scene) this.point = pick(tape, this.#plan().draws, scene, x, tape.height - y);
+    this.change();
+  }
+
+  reset() {
+    const scene = /** @type {Scene} */ (this.scene), { data } = this;
+    scene.changed.clear();
+    Object.assign(scene.orbit, RESTING);
+    Object.assign(this.look ?? {}, { mode: data?.mode, lobe: data?.lobe });
+    this.turned();
+  }
+
+  // ------------------------------------------------------------ drawing
+
+  /** Something is different: draw, as soon as the programs are ready.  One picture for each of the screen's.
+   * @returns {Promise<void>}  resolves when it is drawn */
+  change() {
+    this.waiting ??= new Promise((/** @type {(value?: undefined) => void} */ drawn) => requestAnimationFrame(async () => {
+      this.waiting = null;
+      try {
+        this.#tell();
+        await this.#prepare();
+        this.draw();
+      } catch (error) {
+        this.#fail(/** @type {Error} */ (error));
+      }
+      drawn();
+    }));
+    return this.waiting;
+  }
+
+  #plan() {
+    const { frame, mode, lobe } = /** @type {NonNullable<typeof this.look>} */ (this.look);
+    return /** @type {Record<string, import("./tape.js").Plan>} */ (this.plans)[`${frame} ${mode} ${lobe}`];
+  }
+
+  #shown() {
+    const { frame, edges } = /** @type {NonNullable<typeof this.look>} */ (this.look);
+    return edges ? [this.#plan(), /** @type {any} */ (this.plans)[`${frame} edges`]] : [this.#plan()];
+  }
+
+  async #prepare() {
+    await this.player?.prepare(...this.#shown());
+  }
+
+  draw() {
+    const { player, scene, overlay, look, data } = this;
+    if (!player || !scene || !overlay || !look || !data) return;
+    player.patch = { version: scene.version, change: (block, bytes) => scene.change(block, bytes) };
+    if (data.radiosity) colours(player, data.radiosity, look.stage, look.exposure);
+    player.draw(...this.#shown());
+    const light = scene.moment.lights.length ? scene.lightPosition(0) : null;
+    const arrows = this.point && light ? vectors(this.point, light, scene.moment.localViewer, look.lobe === "phong") : [];
+    overlay.draw(scene, { point: this.point, arrows, handles: data.controls.includes("lights") });
+    const notes = [...data.notes.filter((note) => scene.turned.some((value, k) => value !== +(k % 5 === 0)) || !note.startsWith("Turned: ")), ...player.gaps];
+    this.gaps?.replaceChildren(...notes.map((note) => element("li", { textContent: note })));
+  }
+
+  /** All controls show what is so, and the changed lines stand below them. */
+  #tell() {
+    const { scene, look, data } = this;
+    if (!scene || !look || !data || !this.source) return;
+    this.panel?.update();
+    for (const [axis, group] of Object.entries(this.choices ?? {}))
+      for (const button of group.children)
+        button.ariaPressed = String(/** @type {HTMLElement} */ (button).dataset.name === look[/** @type {"mode" | "lobe"} */ (axis)]);
+    if (this.edges) this.edges.checked = look.edges;
+    const text = lines(scene, look, data);
+    this.source.textContent = text.join("\n");
+    this.changes?.classList.toggle("none", text.length === 0);
+  }
+
+  // ------------------------------------------------------------ links
+
+  /** The page's address with this element's changes. */
+  link() {
+    const { look, scene, data } = this, url = new URL(location.href);
+    const state = { l: look && { ...look }, o: scene?.orbit, c: Object.fromEntries(scene?.changed ?? []) };
+    url.hash = `live${this.#number()}=${encodeURIComponent(JSON.stringify(state))}`;
+    return data ? url.href : "";
+  }
+
+  #number() {
+    return [...document.querySelectorAll("glsim-live")].indexOf(this);
+  }
+
+  #restore() {
+    const found = location.hash.match(/^#live(\d+)=(.*)$/);
+    if (!found || +found[1] !== this.#number() || !this.scene || !this.look || !this.data) return;
+    try {
+      const { l, o, c } = JSON.parse(decodeURIComponent(found[2]));
+      if (`${l.frame} ${l.mode} ${l.lobe}` in this.data.pictures) Object.assign(this.look, l);
+      Object.assign(this.scene.orbit, o);
+      for (const [name, value] of Object.entries(c)) if (this.scene.value(name) !== undefined) this.scene.set(name, value);
+      this.scene.moment = this.data.moments[this.look.frame];
+      this.scene.version++;
+    } catch {
+      // a link that was cut off: the picture as it was drawn
+    }
+  }
+}
+
+/** @type {Record<string, string>} */
+const LOBE_NAMES = { blinn: "(N·H)ⁿ", phong: "(R·V)ⁿ" };
+
+if (!customElements.get("glsim-live")) customElements.define("glsim-live", Live);
