@@ -157,7 +157,7 @@ def _moment(frame: Frame) -> dict[str, Any]:
         "materials": _materials(lit),
         "ambient": list(lighting.ambient),
         "localViewer": lighting.local_viewer,
-        "camera": _camera(frame),
+        "camera": camera_of(frame),
     }
 
 
@@ -257,7 +257,7 @@ def _material(material: Material, draw: Draw) -> dict[str, Any]:
 # ---------------------------------------------------------------- the camera
 
 
-def _camera(frame: Frame) -> dict[str, Any]:
+def camera_of(frame: Frame) -> dict[str, Any]:
     """What live.js calls a Camera."""
     draws = list(frame.draws)
     projections: dict[Matrix, NDArray[np.float64]] = {draw.matrices[1]: np.asarray(draw.matrices[1].get()) for draw in draws}

@@ -6,8 +6,10 @@
  * @typedef {import("./scene.js").Layout} Layout
  * @typedef {import("./panel.js").Named} Named
  * @typedef {{name: string, blob: number}} Stage  radiosities of all vertices, three numbers of 16 bits each
- * @typedef {{stages: Stage[], first: number, white: number, gamma: number, tone: string, rows: number, stride: number,
- *   offset: number}} Radiosity  rows: the blob of vertices whose colours, at offset, are the tone-mapped radiosity
+ * @typedef {{stages: Stage[], steps: number, choices: Record<string, number>, white: number, gamma: number, tone: string,
+ *   parts: {rows: number, count: number}[], stride: number, offset: number}} Radiosity  steps: how many
+ *   stages are steps of the solution, which is the last; rows: a blob of vertices whose colours, at offset, are the
+ *   tone-mapped radiosity; a stage has the vertices of all parts, one after the other
  * @typedef {{title: string, modes: string[], lobes: string[], frames: string[], mode: string, lobe: string,
  *   pictures: Record<string, number>, moments: Moment[], layout: Layout, controls: string[], named: Named[], notes: string[],
  *   radiosity: Radiosity?}} Data  pictures: "frame mode lobe" -> number on the tape; "frame edges": the polygons' edges
@@ -56,7 +58,7 @@ export class Live extends HTMLElement {
     this.tape = new Tape(await inflated(script("application/x-glsim-tape")));
     this.plans = data.moments && Object.fromEntries(Object.entries(data.pictures).map(([name, number]) =>
       [name, planned(/** @type {Tape} */ (this.tape), number)]));
-    this.look = { frame: 0, mode: data.mode, lobe: data.lobe, edges: false, stage: data.radiosity?.first ?? 0, exposure: 1 };
+    this.look = { frame: 0, mode: data.mode, lobe: data.lobe, edges: false, stage: (data.radiosity?.steps ?? 1) - 1, exposure: 1 };
     this.scene = new Scene(data.moments[0], data.layout);
     this.#build();
     this.#restore();
@@ -110,16 +112,27 @@ export class Live extends HTMLElement {
     this.changes = element("div", { className: "changes" }, this.source, this.#button("Copy", () => this.#copy(this.source?.textContent ?? "")),
       this.#button("Link", () => this.#copy(this.link())), this.#button("Reset", () => this.reset()));
     return [...parts, ...this.panel.groups, this.changes,
-      element("p", { className: "help", textContent: "Drag: turn. Shift or two fingers: move. Wheel or pinch: nearer. Click: N, L, V there." })];
+      element("p", { className: "help", textContent: "Drag: turn. Shift or two fingers: move. Wheel or pinch: nearer."
+        + (data.moments[0].lights.length ? " Click: N, L, V there." : "") })];
   }
 
   /** @param {string} title @param {string[]} names @param {number} first @param {(number: number) => void} choose */
   #scrubber(title, names, first, choose) {
-    const output = element("output", { textContent: names[first] });
-    const input = /** @type {HTMLInputElement} */ (element("input", { type: "range", min: 0, max: names.length - 1, value: first, ariaLabel: title }));
+    return this.#slider(title, 0, names.length - 1, 1, first, (number) => names[number], choose);
+  }
+
+  /** @param {string} title @param {number} min @param {number} max @param {number} step @param {number} first
+   * @param {(value: number) => string} words @param {(value: number) => void} choose */
+  #slider(title, min, max, step, first, words, choose) {
+    const output = element("output", { textContent: words(first) });
+    const input = /** @type {HTMLInputElement} */ (element("input", { type: "range", min, max, step, value: first, ariaLabel: title }));
     input.addEventListener("input", () => {
-      output.textContent = names[+input.value];
+      output.textContent = words(+input.value);
       choose(+input.value);
+    });
+    input.addEventListener("put", (event) => { // by something else than a hand
+      input.value = String(/** @type {CustomEvent} */ (event).detail);
+      output.textContent = words(+input.value);
     });
     return element("label", { className: "row" }, `${title} `, output, input);
   }
@@ -143,18 +156,17 @@ export class Live extends HTMLElement {
     navigator.clipboard?.writeText(text);
   }
 
-  /** The stages of a solution, and the exposure.  @param {Radiosity} radiosity */
-  #radiosity({ stages, first }) {
-    const look = /** @type {NonNullable<typeof this.look>} */ (this.look);
-    const output = element("output", { textContent: "1" });
-    const exposure = /** @type {HTMLInputElement} */ (element("input", { type: "range", min: -3, max: 3, step: 0.05, value: 0, ariaLabel: "exposure" }));
-    exposure.addEventListener("input", () => {
-      look.exposure = 2 ** +exposure.value;
-      output.textContent = literal(look.exposure);
+  /** The light that is shown, and the exposure.  @param {Radiosity} radiosity */
+  #radiosity({ stages, steps, choices: stagesByName }) {
+    const look = /** @type {NonNullable<typeof this.look>} */ (this.look), names = stages.slice(0, steps).map(({ name }) => name);
+    const scrubber = this.#scrubber("light", names, steps - 1, (number) => this.show({ stage: number }));
+    const exposure = this.#slider("exposure", -3, 3, 0.05, 0, (value) => literal(2 ** value), (value) => this.show({ exposure: 2 ** value }));
+    const group = (this.choices ??= {}).light = choices("light", Object.keys(stagesByName), (name) => {
+      look.stage = stagesByName[name];
+      scrubber.querySelector("input")?.dispatchEvent(new CustomEvent("put", { detail: look.stage }));
       this.change();
     });
-    return [this.#scrubber("light", stages.map(({ name }) => name), first, (number) => ((look.stage = number), this.change())),
-      element("label", { className: "row" }, "exposure ", output, exposure)];
+    return [group, scrubber, exposure];
   }
 
   // ------------------------------------------------------------ what changes it
@@ -291,9 +303,11 @@ export class Live extends HTMLElement {
     const { scene, look, data } = this;
     if (!scene || !look || !data || !this.source) return;
     this.panel?.update();
+    const light = Object.entries(data.radiosity?.choices ?? {}).find(([, stage]) => stage === look.stage)?.[0];
+    const pressed = /** @type {Record<string, string | undefined>} */ ({ mode: look.mode, lobe: look.lobe, light });
     for (const [axis, group] of Object.entries(this.choices ?? {}))
       for (const button of group.children)
-        button.ariaPressed = String(/** @type {HTMLElement} */ (button).dataset.name === look[/** @type {"mode" | "lobe"} */ (axis)]);
+        button.ariaPressed = String(/** @type {HTMLElement} */ (button).dataset.name === pressed[axis]);
     if (this.edges) this.edges.checked = look.edges;
     const text = lines(scene, look, data);
     this.source.textContent = text.join("\n");
