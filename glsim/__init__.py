@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from glsim.study.compare import Comparison as Comparison
     from glsim.study.compare import compare as compare
     from glsim.study.explain import explain as explain
+    from glsim.study.export import export as export
+    from glsim.study.export import show as show
     from glsim.study.outside import outside as outside
     from glsim.study.probe import Probe as Probe
     from glsim.study.prober import probe as probe
@@ -48,7 +50,9 @@ _HOME = {
     "Comparison": "glsim.study.compare",
     "compare": "glsim.study.compare",
     "explain": "glsim.study.explain",
+    "export": "glsim.study.export",
     "frame_of": "glsim.play.frames",
+    "show": "glsim.study.export",
     "source": "glsim.course.source",
     "outside": "glsim.study.outside",
     "plots": "glsim.study.plots",  # a folder of functions

@@ -55,28 +55,46 @@ def frame_of_program(
     If an error ends the program earlier, the Frame holds the packets up to it, and ``frame.error`` the message.  Raises
     ValueError if the program gives no picture.
     """
+    return _played(script, step + 1, calls, events, timeout, size, each=False)[0]
+
+
+def frames_of_program(
+    script: str | Path, count: int, *, calls: bool = False, events: Sequence[str] = (), timeout: float | None = 60.0,
+    size: int | None = None,
+) -> list[Frame]:  # fmt: skip
+    """The first ``count`` pictures of a program's first window, fewer if it ends earlier; otherwise as
+    ``frame_of_program``."""
+    return _played(script, count, calls, events, timeout, size, each=True)
+
+
+def _played(
+    script: str | Path, count: int, calls: bool, events: Sequence[str], timeout: float | None, size: int | None, each: bool
+) -> list[Frame]:
+    """Play a program for ``count`` steps.  The Frame of its last picture, or those of all if ``each``."""
     from glsim.play.plan import Plan
     from glsim.play.run import run
 
     with tempfile.TemporaryDirectory(prefix="glsim-") as folder:
         target = os.path.join(folder, "frame")
-        plan = Plan(str(script), frames=step + 1, events=list(events)[:step], capture=target, capture_calls=calls,
-                    count=True, size=(size, size) if size is not None else None)  # fmt: skip
+        plan = Plan(str(script), frames=count, events=list(events)[: count - 1], capture=target, capture_calls=calls,
+                    capture_each=each, count=True, size=(size, size) if size is not None else None)  # fmt: skip
         record = run(plan, timeout)
         errors = record["errors"]
         if record["status"] == "interrupted":
             raise KeyboardInterrupt
-        if not os.path.exists(target):
+        paths = [f"{target}-{step}" for step in range(count)] if each else []
+        found = [path for path in paths if os.path.exists(path)] or [path for path in [target] if os.path.exists(path)]
+        if not found:
             reasons = [error["error"] for error in errors] or record["notes"]
             reason = "it opens no window" if record["status"] == "no-window" else (reasons or [record["status"]])[0]
             raise ValueError(f"{script} gives no picture: {reason}")
-        frame = archive.load(target)
+        frames = [archive.load(path) for path in found]
     if errors:
-        frame.error = errors[0]["error"]
-        frame.error_at = Where(str(Path(script).resolve()), errors[0]["line"]) if errors[0]["line"] else None
+        frames[-1].error = errors[0]["error"]
+        frames[-1].error_at = Where(str(Path(script).resolve()), errors[0]["line"]) if errors[0]["line"] else None
     elif record["status"] != "ok":
-        frame.error = (record["notes"] or [record["status"]])[-1]
-    return frame
+        frames[-1].error = (record["notes"] or [record["status"]])[-1]
+    return frames
 
 
 def drawer(what: Any, size: int) -> tuple[str, Callable[[], object]]:

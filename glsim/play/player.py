@@ -210,6 +210,8 @@ class Player:
                 self._save_picture(window.shown, _name(played.step - 1, order))
         self.last_save = time.monotonic()
         first = self.plan.most_calls is not None
+        if self.frame is not None and self.plan.capture_each:
+            self._save_frame(self.frame, suffix=f"-{played.step - 1}")
         if self.frame is not None and played.step == (1 if first else max(played.steps or 1, 1 + len(played.events))):
             self._save_frame(self.frame)
             if first:
@@ -274,10 +276,11 @@ class Player:
         if name not in self.record.pictures:
             self.record.pictures.append(name)
 
-    def _save_frame(self, frame: Frame, screen: Offscreen | None = None) -> None:
+    def _save_frame(self, frame: Frame, screen: Offscreen | None = None, suffix: str = "") -> None:
         """Write the Frame of the visible picture to plan.capture; of a double-buffered window up to its last swap.
 
-        screen: the one it was drawn on, if that is a screen of glsim.offscreen; None for a window.
+        screen: the one it was drawn on, if that is a screen of glsim.offscreen; None for a window.  suffix: of the
+        file's name.
         """
         window = next((w for w in loop.windows.values() if w.screen.machine.outlet.frame is frame), None)
         screen = window.screen if window is not None else screen
@@ -292,7 +295,7 @@ class Player:
         most = self.plan.most_calls
         count = sum(draw.count for draw in shown.draws)
         if most is None or (shown.history and count <= MOST_VERTICES * most):  # without history recording was given up
-            archive.save(shown, self.plan.capture)
+            archive.save(shown, self.plan.capture + suffix)
 
     def _finish(self) -> None:
         record = self.record
