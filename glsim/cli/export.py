@@ -56,7 +56,13 @@ def _export(options: argparse.Namespace) -> int:
             samples=options.samples, patches=options.patches, view=options.view, title=options.title,
             timeout=options.timeout, progress=status.update,
         )  # fmt: skip
-    found = {"output": options.output, "title": made.title, "modes": made.modes, "lobes": made.lobes, "frames": made.frames}
+    found = {
+        "output": options.output,
+        "title": made.title,
+        "modes": made.modes,
+        "lobes": made.lobes,
+        "frames": made.frames,
+    }
     if options.json:
         print(json.dumps({"status": "ok", **found}))
     else:

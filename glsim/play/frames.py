@@ -68,7 +68,13 @@ def frames_of_program(
 
 
 def _played(
-    script: str | Path, count: int, calls: bool, events: Sequence[str], timeout: float | None, size: int | None, each: bool
+    script: str | Path,
+    count: int,
+    calls: bool,
+    events: Sequence[str],
+    timeout: float | None,
+    size: int | None,
+    each: bool,
 ) -> list[Frame]:
     """Play a program for ``count`` steps.  The Frame of its last picture, or those of all if ``each``."""
     from glsim.play.plan import Plan

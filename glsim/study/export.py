@@ -109,6 +109,6 @@ class Shown:
 def show(what: Any, **options: Any) -> Shown:
     """A live picture for a notebook, as the last expression of a cell.  Options: those of ``live``.
 
-        glsim.show("teapot", modes=["phong"])
+    glsim.show("teapot", modes=["phong"])
     """
     return Shown(live(what, **options))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import base64
 from bisect import bisect_left
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from glsim.machine import constants as gl
 from glsim.machine.assembly import corners, outlines
-from glsim.machine.frame import Call, Draw, Frame, Pixels
+from glsim.machine.frame import Call, Draw, Frame, Packet, Pixels
 from glsim.machine.matrix import Matrix
 from glsim.machine.state import TRACKED, Depth, Fog, Light, Lighting, Material, Polygon, Texturing
 from glsim.play.reshade import LOBE, SHADE_MODEL, shaded
@@ -31,7 +31,7 @@ from glsim.web.live import Live
 
 MODES, LOBES = tuple(SHADE_MODEL), tuple(LOBE)
 CONTROLS = ("mode", "lobe", "edges", "lights", "materials", "ambient")
-AS_DRAWN = "as drawn"  # the mode of what is not lit
+AS_DRAWN = "as drawn"  # the mode of what is not lit, or lit under several shade models
 NEARER = 0.9999  # the far end of the depth range of edges: so they are seen on the surfaces they bound
 FACE = ("ambient", "diffuse", "specular", "emission", "shininess")
 LIGHT = (
@@ -61,22 +61,31 @@ def live_of(
                 raise ValueError(f"a live picture has the {kind}s {', '.join(known)}, not {name!r}")
     general = {name: _general(frame) for name, frame in frames.items()}
     first = next(iter(general.values()))
-    own = _own_look(first)
-    chosen = [own[0]] if own[0] == AS_DRAWN else [*(modes or MODES)]
-    rows = [own[1]] if own[0] == AS_DRAWN else [*(lobes or LOBES)]
-    mode, lobe = (name if name in names else names[0] for name, names in zip(own, (chosen, rows), strict=True))
+    own = _looks(first)
+    chosen, rows = list(modes or MODES), list(lobes or LOBES)
+    if not own:
+        chosen, rows = [AS_DRAWN], rows[:1]
+    elif len(own) > 1 and modes is None:
+        chosen.insert(0, AS_DRAWN)
+    mode, lobe = own[0] if len(own) == 1 else (AS_DRAWN, rows[0])
+    mode, lobe = mode if mode in chosen else chosen[0], lobe if lobe in rows else rows[0]
     pictures = dict(_pictures(general, chosen, rows, "edges" in controls))
+    numbers = {name: number for number, name in enumerate(pictures)}
+    for number in range(len(general)) if AS_DRAWN in chosen else ():
+        numbers |= {f"{number} {AS_DRAWN} {row}": numbers[f"{number} {AS_DRAWN} {rows[0]}"] for row in rows}
     return Live(
-        title, record(pictures, samples), _poster(frames[next(iter(frames))], mode, lobe, samples),
-        {name: number for number, name in enumerate(pictures)}, [_moment(frame) for frame in general.values()],
-        chosen, rows, mode, lobe, list(frames), list(controls), _named() if "materials" in controls else [], _notes(first),
+        title, record(pictures, samples), _poster(frames[next(iter(frames))], mode, lobe, samples), numbers,
+        [_moment(frame) for frame in general.values()], chosen, rows, mode, lobe, list(frames), list(controls),
+        _named() if "materials" in controls else [], _notes(first),
     )  # fmt: skip
 
 
-def _pictures(frames: Mapping[str, Frame], modes: Sequence[str], lobes: Sequence[str], edges: bool) -> Any:
+def _pictures(
+    frames: Mapping[str, Frame], modes: Sequence[str], lobes: Sequence[str], edges: bool
+) -> Iterator[tuple[str, Frame]]:
     for number, frame in enumerate(frames.values()):
         for mode in modes:
-            for lobe in lobes:
+            for lobe in lobes[:1] if mode == AS_DRAWN else lobes:
                 yield f"{number} {mode} {lobe}", frame if mode == AS_DRAWN else shaded(frame, mode, lobe)
         if edges and (drawn := _edges(frame)).packets:
             yield f"{number} edges", drawn
@@ -89,16 +98,13 @@ def _poster(frame: Frame, mode: str, lobe: str, samples: int) -> NDArray[np.uint
         return np.ascontiguousarray(screen.pixels()[..., :3])
 
 
-def _own_look(frame: Frame) -> tuple[str, str]:
-    """Shade model and lobe of the first lit draw."""
-    for draw in frame.draws:
-        lighting = draw.state.lighting
-        if lighting.enabled:
-            return tuple(  # type: ignore[return-value]
-                next(name for name, value in known.items() if value == own)
-                for known, own in ((SHADE_MODEL, lighting.shade_model), (LOBE, lighting.lobe))
-            )
-    return AS_DRAWN, LOBES[0]
+def _looks(frame: Frame) -> list[tuple[str, str]]:
+    """The different shade models and lobes of lit draws, by name."""
+    lit = (draw.state.lighting for draw in frame.draws if draw.state.lighting.enabled)
+    own = dict.fromkeys((lighting.shade_model, lighting.lobe) for lighting in lit)
+    names = ({int(value): name for name, value in known.items()} for known in (SHADE_MODEL, LOBE))
+    modes, lobes = names
+    return [(modes[shade_model], lobes[lobe]) for shade_model, lobe in own]
 
 
 def _notes(frame: Frame) -> list[str]:
@@ -110,7 +116,7 @@ def _notes(frame: Frame) -> list[str]:
     states = [draw.state for draw in frame.draws]
     if any(state.line.stipple for state in states):
         notes.append("Turned: the dashes of glLineStipple keep the lengths that they had.")
-    if any(gl.GL_FILL != mode for state in states for mode in (state.polygon.front_mode, state.polygon.back_mode)):
+    if any(mode != gl.GL_FILL for state in states for mode in (state.polygon.front_mode, state.polygon.back_mode)):
         notes.append("Turned: which side of a polygon glPolygonMode drew as edges or points stays as it was.")
     return notes
 
@@ -260,7 +266,9 @@ def _material(material: Material, draw: Draw) -> dict[str, Any]:
 def camera_of(frame: Frame) -> dict[str, Any]:
     """What live.js calls a Camera."""
     draws = list(frame.draws)
-    projections: dict[Matrix, NDArray[np.float64]] = {draw.matrices[1]: np.asarray(draw.matrices[1].get()) for draw in draws}
+    projections: dict[Matrix, NDArray[np.float64]] = {
+        draw.matrices[1]: np.asarray(draw.matrices[1].get()) for draw in draws
+    }
     perspective = any(matrix[3, 3] == 0.0 for matrix in projections.values())
     distinct = {matrix.tobytes(): matrix for matrix in projections.values()}
     turning = [draw for draw in draws if not perspective or projections[draw.matrices[1]][3, 3] == 0.0]
@@ -270,7 +278,8 @@ def camera_of(frame: Frame) -> dict[str, Any]:
     seen = IDENTITY if view is None else view
     return {
         "projections": [
-            {"matrix": _numbers(matrix), "turns": not perspective or bool(matrix[3, 3] == 0.0)} for matrix in distinct.values()
+            {"matrix": _numbers(matrix), "turns": not perspective or bool(matrix[3, 3] == 0.0)}
+            for matrix in distinct.values()
         ],
         "centre": ((low + high) / 2.0).tolist(),
         "radius": float(np.linalg.norm(high - low) / 2.0) or 1.0,
@@ -306,7 +315,7 @@ def _view(frame: Frame, draws: Sequence[Draw]) -> NDArray[np.float64] | None:
 
 def _edges(frame: Frame) -> Frame:
     """The edges of all polygons as lines over the same vertices, a little nearer to the eye than what they bound."""
-    drawn = [line for draw in frame.draws if corners(draw.mode) == 3 for line in _edges_of(draw)]
+    drawn: list[Packet] = [line for draw in frame.draws if corners(draw.mode) == 3 for line in _edges_of(draw)]
     return replace(frame, packets=drawn)
 
 
@@ -334,7 +343,9 @@ def _edges_of(draw: Draw) -> list[Draw]:
 def _named() -> list[dict[str, Any]]:
     """The named materials of the literature."""
     names = [name for name in FACE if name != "emission"]
-    return [{"label": label, "values": {name: getattr(face, name) for name in names}} for label, face in MATERIALS.items()]
+    return [
+        {"label": label, "values": {name: getattr(face, name) for name in names}} for label, face in MATERIALS.items()
+    ]
 
 
 def _numbers(matrix: NDArray[np.float64]) -> list[float]:

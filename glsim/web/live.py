@@ -1,8 +1,8 @@
 """Pictures that can be turned, lit and shaded anew in a browser: a page, or an element for a lesson or a notebook.
 
 An element is ``<glsim-live>`` (live.js).  Its children are the still picture, which a reader without JavaScript and a
-printer get, a description of what can be changed, and the tape that the player draws.  Everything stands in the page: it
-asks for nothing.
+printer get, a description of what can be changed, and the tape that the player draws.  Everything stands in the page,
+which asks for nothing.
 """
 
 from __future__ import annotations
@@ -25,7 +25,8 @@ from glsim.render.tape import Tape
 from glsim.web.modules import PLAYER, joined
 
 MODULES = (
-    *PLAYER, "matrix.js", "scene.js", "pick.js", "source.js", "overlay.js", "turning.js", "panel.js", "radiosity.js", "live.js",
+    *PLAYER, "matrix.js", "scene.js", "pick.js", "source.js", "overlay.js", "turning.js", "panel.js", "radiosity.js",
+    "live.js",
 )  # fmt: skip
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 NARROW = "max-width: 100%; height: auto"
@@ -72,7 +73,8 @@ def element(live: Live, script: bool = True) -> str:
     height, width = live.poster.shape[:2]
     packed = base64.b64encode(zlib.compress(live.tape.to_bytes(), 9)).decode("ascii")
     return f"""<glsim-live>
-<figure><img width="{width}" height="{height}" style="{NARROW}" alt="{escape(live.title)}" src="{_uri(live.poster)}"></figure>
+<figure><img width="{width}" height="{height}" style="{NARROW}" alt="{escape(live.title)}"
+src="{_uri(live.poster)}"></figure>
 <script type="application/json">{_json(live.data())}</script>
 <script type="application/x-glsim-tape">{packed}</script>
 </glsim-live>
@@ -124,8 +126,8 @@ def code() -> str:
 def layout() -> dict[str, dict[str, int]]:
     """Where the members of the uniform blocks' structures lie: bytes by name, and "size" of the whole."""
     structures = {
-        "Transform": uniforms.TRANSFORM, "Material": uniforms.MATERIAL, "Face": uniforms.FACE_OF_MATERIAL, "Light": uniforms.LIGHT,
-        "Lights": uniforms.LIGHTS, "Raster": uniforms.RASTER, "Unit": uniforms.UNIT,
+        "Transform": uniforms.TRANSFORM, "Material": uniforms.MATERIAL, "Face": uniforms.FACE_OF_MATERIAL,
+        "Light": uniforms.LIGHT, "Lights": uniforms.LIGHTS, "Raster": uniforms.RASTER, "Unit": uniforms.UNIT,
     }  # fmt: skip
     return {
         name: {**{member: place for member, (_, place, *_) in (dtype.fields or {}).items()}, "size": dtype.itemsize}

@@ -10,8 +10,8 @@ PLAYER = ("tape.js", "destination.js", "player.js")  # each imports only those b
 
 
 def joined(names: tuple[str, ...] = PLAYER) -> str:
-    """The modules, one after the other, in one scope: without their imports of each other, without ``export``, and without
-    lines that are nothing but comment."""
+    """The modules, one after the other, in one scope: without their imports of each other, without ``export``, and
+    without lines that are nothing but comment."""
     text = "\n".join(Path(__file__).with_name(name).read_text(encoding="utf-8") for name in names)
     text = re.sub(r'^import \{[^}]*\} from "\./\w+\.js";\n', "", text, flags=re.MULTILINE)
     text = re.sub(r"^\s*/\*\*.*?\*/ *\n?", "", text, flags=re.MULTILINE | re.DOTALL)

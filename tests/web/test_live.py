@@ -132,10 +132,12 @@ CONTROLS: dict[str, tuple[str, dict[str, Any]]] = {
     "position": ("live.set('light.0.position', [-3, 2, 1, 1])", {"position": [-3.0, 2.0, 1.0, 1.0]}),
     "headlight": ("live.set('light.1.position', [1, 1, 0, 0])", {"headlight": [1.0, 1.0, 0.0, 0.0]}),
     "colour": ("live.set('light.0.diffuse', [1, 0.2, 0, 1])", {"diffuse": [1.0, 0.2, 0.0, 1.0]}),
-    "spot": ("live.set('light.0.spot_cutoff', 12); live.set('light.0.spot_exponent', 4)", {"cutoff": 12.0, "exponent": 4.0}),
+    "spot": ("live.set('light.0.spot_cutoff', 12); live.set('light.0.spot_exponent', 4)",
+             {"cutoff": 12.0, "exponent": 4.0}),
     "attenuation": ("live.set('light.0.quadratic_attenuation', 0.05)", {"attenuation": [1.0, 0.0, 0.05]}),
-    "shininess": ("live.set('material.0.front.shininess', 3); live.set('material.1.front.shininess', 3)", {"shininess": 3.0}),
-    "specular": ("for (const k of [0, 1]) live.set(`material.${k}.front.specular`, [1, 0, 1, 1])", {"k_s": [1.0, 0.0, 1.0, 1.0]}),
+    "shininess": ("for (const k of [0, 1]) live.set(`material.${k}.front.shininess`, 3)", {"shininess": 3.0}),
+    "specular": ("for (const k of [0, 1]) live.set(`material.${k}.front.specular`, [1, 0, 1, 1])",
+                 {"k_s": [1.0, 0.0, 1.0, 1.0]}),
     "diffuse": ("live.set('material.0.front.diffuse', [0.9, 0.1, 0.4, 1])", {"k_d": [0.9, 0.1, 0.4, 1.0]}),
     "ambient": ("live.set('ambient', [0.6, 0.1, 0.1, 1])", {"ambient": [0.6, 0.1, 0.1, 1.0]}),
     "phong": ("live.show({mode: 'phong'})", {"shade": GL_PHONG_WIN}),
@@ -157,7 +159,9 @@ def test_after_a_control_the_picture_is_that_of_moderngl(name: str, live: Browse
     assert off(seen(live, RESET + code), pixels(screen, lambda: drawn(**changes))) <= most
 
 
-@pytest.mark.parametrize("orbit", [{"yaw": 40}, {"pitch": -25}, {"yaw": 160, "pitch": 30, "x": 0.3, "y": -0.2}, {"zoom": 2.0}])
+@pytest.mark.parametrize(
+    "orbit", [{"yaw": 40}, {"pitch": -25}, {"yaw": 160, "pitch": 30, "x": 0.3, "y": -0.2}, {"zoom": 2.0}]
+)
 def test_a_turned_camera_is_the_one_of_the_line_of_source(
     orbit: dict[str, float], live: Browser, screen: glsim.Offscreen
 ) -> None:
