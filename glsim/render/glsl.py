@@ -81,8 +81,8 @@ def _note(constants: Constants, name: str, value: str, array: bool) -> None:
 
 
 def _true(condition: str, macros: dict[str, str]) -> bool:
-    """Whether the condition of an #if holds: one or more of "NAME", "NAME == OTHER", "NAME != OTHER", "defined(NAME)" and
-    "!defined(NAME)", joined by &&."""
+    """Whether the condition of an #if holds: one or more of "NAME", "NAME == OTHER", "NAME != OTHER", "defined(NAME)"
+    and "!defined(NAME)", joined by &&."""
     return all(_holds(part.strip(), macros) for part in condition.split("&&"))
 
 

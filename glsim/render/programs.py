@@ -157,7 +157,8 @@ def root_files(key: ProgramKey) -> dict[str, str]:
 FRONT = "#version 330 core\n"
 # OpenGL ES 3.0, which is WebGL2's, has GL_ES defined, and no precision by default
 ES_FRONT = "#version 300 es\n" + "".join(
-    f"precision highp {kind};\n" for kind in ("float", "int", "sampler2D", "sampler3D", "samplerCube", "sampler2DShadow")
+    f"precision highp {kind};\n"
+    for kind in ("float", "int", "sampler2D", "sampler3D", "samplerCube", "sampler2DShadow")
 )
 
 
