@@ -19,31 +19,29 @@ from glsim.machine import constants as gl
 from glsim.machine.frame import Accum, Frame, Packet, Pixels, QueryMark
 from glsim.render.draw import Renderer
 from glsim.render.gpu import Buffer, Program, VertexArray
-from glsim.render.raw import SIGNATURES
 from glsim.render.specialise import specialised_body, split
-from glsim.render.tape import Picture, Tape
+from glsim.render.tape import STATE, Picture, Tape
 
 if TYPE_CHECKING:
     from glsim.render.context import Offscreen
 
 SMALLEST_BLOCK = 16384  # bytes of a uniform block that every WebGL2 has room for
-# commands that change nothing about the picture, or speak about framebuffers, which a player has of its own
+# commands that change nothing about the picture
 SILENT = {
     "glFinish", "glPixelStorei", "glReadPixels", "glGenQueries", "glBeginQuery", "glEndQuery", "glDeleteQueries",
     "glGetQueryObjectuiv",
 }  # fmt: skip
-FRAMEBUFFERS = {name for name in SIGNATURES if "buffer" in name and name != "glClear"}
-COMPONENTS = {gl.GL_RGBA: 4, gl.GL_RED: 1, gl.GL_DEPTH_COMPONENT: 1}
+COMPONENTS: dict[int, int] = {gl.GL_RGBA: 4, gl.GL_RED: 1, gl.GL_DEPTH_COMPONENT: 1}
 
 
 class TapeRecorder:
     """A gpu.GPU and gpu.Commands in one that appends operations to a picture of a tape."""
 
-    info: Mapping[str, Any] = {"GL_MAX_UNIFORM_BLOCK_SIZE": SMALLEST_BLOCK}
     max_samples = 4
 
     def __init__(self, tape: Tape, picture: Picture) -> None:
         self.tape, self.operations = tape, picture.operations
+        self.info: dict[str, Any] = {"GL_MAX_UNIFORM_BLOCK_SIZE": SMALLEST_BLOCK}
         self.names = 0
         self.unit = 0
 
@@ -77,11 +75,11 @@ class TapeRecorder:
     # ------------------------------------------------------------ gpu.Commands
 
     def __getattr__(self, name: str) -> Callable[..., None]:
-        if name not in SIGNATURES or name in FRAMEBUFFERS:
+        if name not in STATE | SILENT:
             raise AttributeError(name)
 
         def command(*arguments: Any) -> None:
-            if name not in SILENT:
+            if name in STATE:
                 self.operations.append([name, *map(_plain, arguments)])
 
         setattr(self, name, command)
@@ -122,8 +120,8 @@ class TapeRecorder:
 
 class _Buffer:
     def __init__(self, recorder: TapeRecorder, size: int) -> None:
-        self.recorder, self.number = recorder, recorder.name()
-        self.orphan(size)
+        self.recorder, self.number, self.size = recorder, recorder.name(), size
+        self.orphan()
 
     def orphan(self, size: int = -1) -> None:
         self.size = size if size >= 0 else self.size

@@ -32,7 +32,8 @@ Operations; buffers, programs and arrays are numbers, a blob is its number in ``
     ["draw", array, mode, count, first, instances]  indexed, with 32 bits for each index
     ["texture", unit, target, number]          bind a texture to a unit
     ["image", target, level, internal format, [width, height(, depth)], format, type, blob]   to the bound texture
-    ["glDepthFunc", 513] ...                   any other command of raw.SIGNATURES that sets state, with its arguments
+    ["glDepthFunc", 513] ...                   the commands of STATE, with their arguments
+    ["glTexParameterfv", target, name, [4 numbers]], ["glDeleteTextures", [number, ...]]
 
 A picture begins with a framebuffer of (0, 0, 0, 0), depth 1 and stencil 0, and OpenGL's initial state.
 """
@@ -51,6 +52,15 @@ from glsim.version import __version__
 
 MAGIC, VERSION = b"glsimtap", 1
 HEADER = struct.Struct("<8sII")
+
+SAMPLES = (0, 2, 4, 8, 16, 32)
+# commands of numbers alone, without addresses or names of objects: a driver takes or refuses whatever stands there
+STATE = {
+    "glEnable", "glDisable", "glViewport", "glDepthRange", "glDepthFunc", "glDepthMask", "glColorMask", "glCullFace",
+    "glFrontFace", "glClear", "glClearColor", "glClearDepth", "glClearStencil", "glProvokingVertex", "glScissor",
+    "glPolygonOffset", "glStencilFunc", "glStencilOp", "glStencilMask", "glBlendFuncSeparate", "glBlendEquation",
+    "glBlendColor", "glLogicOp", "glSampleCoverage", "glTexParameterf", "glTexParameteri",
+}  # fmt: skip
 
 Operation = list[Any]
 
@@ -106,7 +116,10 @@ class Tape:
 
     @classmethod
     def from_bytes(cls, data: bytes) -> Tape:
-        """The tape in these bytes.  Raises TapeError with a sentence if there is none, or a damaged one."""
+        """The tape in these bytes.  Raises TapeError with a sentence if there is none, or a damaged one.
+
+        What the operations do to each other is checked when they are played (replay.py).
+        """
         if len(data) < HEADER.size or data[:8] != MAGIC:
             raise TapeError("these bytes are no tape of glsim: a tape begins with the word glsimtap")
         _, version, length = HEADER.unpack_from(data)
@@ -114,23 +127,47 @@ class Tape:
             raise TapeError(f"this tape has version {version} of the format, and this glsim reads version {VERSION}")
         at = HEADER.size + length
         try:
-            head = json.loads(data[HEADER.size : at])
-            pictures = [Picture(str(one["name"]), list(one["operations"])) for one in head["pictures"]]
-            width, height, samples = (int(head[name]) for name in ("width", "height", "samples"))
-            blobs = []
-            for name, size in head["blobs"]:
-                blobs.append(data[at : at + size])
-                if _name(blobs[-1]) != name:
-                    raise TapeError("this tape is damaged: the data of a blob are not those that its name promises")
-                at += size + -size % 4
-            made_by = str(head["made_by"])
-        except TapeError:
-            raise
+            head = json.loads(data[HEADER.size : at], parse_constant=_no_number)
+            made_by, bindings = str(head["made_by"]), (head["bindings"], head["samplers"])
+            width, height, samples = (_whole(head[name]) for name in ("width", "height", "samples"))
+            pictures = [Picture(str(one["name"]), _operations(one["operations"])) for one in head["pictures"]]
+            sizes = [(str(name), _whole(size)) for name, size in head["blobs"]]
         except (ValueError, KeyError, TypeError, RecursionError) as error:
             raise TapeError(f"this tape is damaged: its head cannot be read ({type(error).__name__})") from None
-        if not (1 <= width <= 16384 and 1 <= height <= 16384):
-            raise TapeError(f"this tape is damaged: a picture cannot have {width} x {height} pixels")
+        if not (1 <= width <= 16384 and 1 <= height <= 16384) or samples not in SAMPLES:
+            raise TapeError(f"this tape is damaged: no picture has {width} x {height} pixels with {samples} samples")
+        if bindings != (BINDINGS, SAMPLERS):
+            raise TapeError(f"this tape is for other shaders: play it with the glsim that made it, {made_by[:40]}")
+        blobs = []
+        for name, size in sizes:
+            blobs.append(data[at : at + size])
+            if _name(blobs[-1]) != name:
+                raise TapeError("this tape is damaged: the data of a blob are not those that its name promises")
+            at += size + -size % 4
+        if at != len(data):
+            raise TapeError(f"this tape is damaged: it has {len(data)} bytes, and its head tells of {at}")
         return cls(width, height, samples, pictures, blobs, made_by)
+
+
+def _whole(value: Any) -> int:
+    """Raises TypeError unless the value is a whole number from 0 on."""
+    if type(value) is not int or value < 0:
+        raise TypeError
+    return value
+
+
+def _no_number(name: str) -> float:
+    """For Infinity and NaN, which Python's JSON has and a browser's has not."""
+    raise ValueError
+
+
+def _operations(value: Any) -> list[Operation]:
+    """Raises TypeError unless the value is a list of lists that begin with a name."""
+    if not isinstance(value, list):
+        raise TypeError
+    if not all(isinstance(one, list) and one and isinstance(one[0], str) for one in value):
+        raise TypeError
+    return value
 
 
 def _name(blob: bytes) -> str:

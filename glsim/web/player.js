@@ -29,16 +29,19 @@ const NO_WEBGL2 = "This browser has no WebGL2, with which the picture is drawn. 
 const EXTENSIONS = ["EXT_color_buffer_float", "OES_texture_float_linear", "KHR_parallel_shader_compile"];
 const COMPLETED = 0x91b1; // COMPLETION_STATUS_KHR
 const GAPS = {
-  alphaToOne: "GL_SAMPLE_ALPHA_TO_ONE: WebGL2 lacks it; alpha stays as it is.",
+  alphaToOne: "GL_SAMPLE_ALPHA_TO_ONE beside GL_SAMPLE_ALPHA_TO_COVERAGE: WebGL2 lacks it; alpha stays as it is.",
   singleSample: "glDisable(GL_MULTISAMPLE): in WebGL2 a picture with samples is always multisampled.",
   depthClamp: "Wide lines that the near or far plane cuts: this browser lacks EXT_depth_clamp, so they may end early.",
   border: "GL_CLAMP or GL_CLAMP_TO_BORDER with mipmaps: WebGL2 has no borders; in the smaller levels the border is too sharp.",
   overlap: "A logic operation on more than 256 primitives at once: where they overlap, only the last one counts.",
+  clipped: "glClipPlane on a picture with samples: WebGL2 cuts whole pixels, so edges that a plane makes are not smooth.",
   samples: "A logic operation on a picture with samples: the picture is drawn with one sample.",
 };
 // capabilities that are always on, or done in the shader
-const ALWAYS = new Set([0x8642, 0x884f, 0x3000, 0x3001, 0x3002, 0x3003, 0x3004, 0x3005]);
-const DEPTH_CLAMP = 0x864f, MULTISAMPLE = 0x809d, ALPHA_TO_ONE = 0x809f, COLOR_LOGIC_OP = 0x0bf2;
+const ALWAYS = new Set([0x8642, 0x884f]);
+const CLIP_PLANES = new Set([0x3000, 0x3001, 0x3002, 0x3003, 0x3004, 0x3005]);
+const DEPTH_CLAMP = 0x864f, MULTISAMPLE = 0x809d, ALPHA_TO_COVERAGE = 0x809e, ALPHA_TO_ONE = 0x809f, COLOR_LOGIC_OP = 0x0bf2;
+const OPAQUE = "void main() { glsim_main(); fragment_color.a = 1.0; }\n";
 const LOD_BIAS = 0x8501, BORDER = 0x812d, EDGE = 0x812f;
 const DEPTH24 = 0x81a6;
 
@@ -93,6 +96,7 @@ export class Player {
     /** Vertex data that stand for those of a blob. @type {Map<number, Uint8Array>} */
     this.replaced = new Map();
     this.depthReversed = false;
+    this.opaque = false; // GL_SAMPLE_ALPHA_TO_ONE
     /** Called when the context is lost and when it is back: then the picture must be drawn again. @type {(lost: boolean) => void} */
     this.oncontext = () => {};
     canvas.addEventListener("webglcontextlost", (event) => (event.preventDefault(), this.oncontext(true)));
@@ -202,7 +206,7 @@ export class Player {
     gl.clearDepth(1);
     gl.clearStencil(0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
-    this.depthReversed = false;
+    this.depthReversed = this.opaque = false;
     this.made.blending.logical = false;
   }
 
@@ -232,16 +236,19 @@ export class Player {
       if (this.made.depthClamp) on ? gl.enable(DEPTH_CLAMP) : gl.disable(DEPTH_CLAMP);
       else if (on) this.gaps.add(GAPS.depthClamp);
     } else if (capability === MULTISAMPLE) on || !this.made.samples || this.gaps.add(GAPS.singleSample);
-    else if (capability === ALPHA_TO_ONE) on && this.gaps.add(GAPS.alphaToOne);
+    else if (CLIP_PLANES.has(capability)) on && this.made.samples && this.gaps.add(GAPS.clipped);
+    else if (capability === ALPHA_TO_ONE) this.opaque = on && this.made.samples > 0;
     else if (!ALWAYS.has(capability)) on ? gl.enable(capability) : gl.disable(capability);
   }
 
   /** @param {Draw} draw */
   #draw(draw) {
     const gl = this.gl, emulated = this.made.blending.emulated();
+    const opaque = this.opaque && !gl.isEnabled(ALPHA_TO_COVERAGE);
+    if (this.opaque && (emulated || !opaque)) this.gaps.add(GAPS.alphaToOne);
     const linked = this.#linked(draw.program,
       this.depthReversed ? "void main() { glsim_main(); gl_Position.z = -gl_Position.z; }\n" : "",
-      emulated ? destinationShader(this.made.blending) : "");
+      emulated ? destinationShader(this.made.blending) : opaque ? OPAQUE : "");
     this.#inputs(linked);
     gl.useProgram(linked.program);
     gl.bindVertexArray(this.#array(draw, linked));

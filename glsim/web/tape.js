@@ -38,7 +38,7 @@ export class Tape {
     if (view.getUint32(8, true) !== VERSION)
       throw new TapeError(`This tape has version ${view.getUint32(8, true)} of the format; version ${VERSION} is known.`);
     let at = HEADER + view.getUint32(12, true);
-    const head = JSON.parse(text.decode(bytes.subarray(HEADER, at)));
+    const head = read(text.decode(bytes.subarray(HEADER, at)));
     /** @type {number} */ this.width = head.width;
     /** @type {number} */ this.height = head.height;
     /** @type {number} */ this.samples = head.samples;
@@ -53,7 +53,7 @@ export class Tape {
       this.names.push(name);
       at += Math.ceil(length / 4) * 4;
     }
-    if (at > bytes.length) throw new TapeError("This tape is cut off.");
+    if (at !== bytes.length) throw new TapeError("This tape is cut off.");
   }
 
   /** The text that a blob is.  @param {number} blob */
@@ -62,9 +62,23 @@ export class Tape {
   }
 }
 
-/** What is drawn for the picture with this number.  @param {Tape} tape @param {number} number @returns {Plan} */
+/** A tape's head.  @param {string} text */
+function read(text) {
+  try {
+    const head = JSON.parse(text);
+    if (Array.isArray(head.blobs) && Array.isArray(head.pictures)) return head;
+  } catch { /* no JSON */ }
+  throw new TapeError("This tape is damaged: its head cannot be read.");
+}
+
+/** What is drawn for the picture with this number.  Throws a TapeError if its operations make no sense.
+ * @param {Tape} tape @param {number} number @returns {Plan} */
 export function planned(tape, number) {
-  return new Planner().plan(tape.pictures[number].operations);
+  try {
+    return new Planner().plan(tape.pictures[number].operations);
+  } catch (error) {
+    throw new TapeError(`This tape is damaged: picture ${number} cannot be planned (${error}).`);
+  }
 }
 
 class Planner {

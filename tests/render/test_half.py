@@ -9,7 +9,9 @@ import pytest
 
 BLOCKED = "import sys; sys.modules['moderngl'] = sys.modules['glcontext'] = None\n"  # importing either raises
 PLAIN = ("batch", "outline", "lines", "key", "programs", "uniforms", "specialise", "fold", "glsl", "pixels")
-DRAWING = ("gpu", "draw", "source", "corestate", "compile", "textures", "accumulation", "inspect", "raw")
+DRAWING = (
+    "gpu", "draw", "source", "corestate", "compile", "textures", "accumulation", "inspect", "raw", "tape", "recorder",
+)  # fmt: skip
 
 RECORDING = """
 import re
@@ -76,6 +78,43 @@ assert {"glClear", "glEnable", "glViewport", "glTexImage2D"} <= names, names
 print("drawn")
 """
 
+ON_TAPE = """
+from glsim.gl import *
+from glsim.machine.current import make_current
+from glsim.machine.frame import Frame
+from glsim.machine.machine import Machine
+from glsim.render.recorder import record, tape
+from glsim.render.tape import Tape
+
+class Device:
+    width = height = 64
+    samples = 0
+    double_buffered, depth_bits, stencil_bits = False, 24, 8
+    def check(self): pass
+    def finish(self): pass
+    def execute(self, packets): frame.packets += packets
+
+frame = Frame(64, 64)
+make_current(Machine(Device()))
+glEnable(GL_LIGHTING)
+glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 1, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, bytes(3))
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
+glEnable(GL_TEXTURE_2D)
+glRectf(-1, -1, 1, 1)
+glFlush()
+operations = Tape.from_bytes(tape(frame)).pictures[0].operations
+assert [one[3] for one in operations if one[0] == "draw"] == [6], operations
+assert {"image", "program", "array", "uniform", "write"} <= {one[0] for one in operations}
+
+glRasterPos2f(0, 0)
+glCopyPixels(0, 0, 8, 8, GL_COLOR)
+glFlush()
+try:
+    record({"reads what is drawn": frame})
+except ModuleNotFoundError as error:
+    print(error.name)
+"""
+
 
 def without_moderngl(text: str) -> str:
     done = subprocess.run([sys.executable, "-c", BLOCKED + text], capture_output=True, text=True, check=False)
@@ -97,3 +136,7 @@ def test_the_block_is_one() -> None:
 
 def test_the_renderer_draws_on_anything_that_has_the_protocols() -> None:
     assert without_moderngl(RECORDING) == "drawn\n"
+
+
+def test_a_tape_needs_a_device_only_for_what_reads_the_picture() -> None:
+    assert without_moderngl(ON_TAPE) == "moderngl\n"
