@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from glsim.study.terms import terms as terms
     from glsim.study.trace import trace as trace
     from glsim.study.vectors import vectors as vectors
+    from glsim.study.widget import Widget as Widget
 
 _HOME = {
     "offscreen": "glsim.render.context",
@@ -62,6 +63,7 @@ _HOME = {
     "terms": "glsim.study.terms",
     "trace": "glsim.study.trace",
     "vectors": "glsim.study.vectors",
+    "Widget": "glsim.study.widget",
 }
 __all__ = ["__version__", *_HOME]
 

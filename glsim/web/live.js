@@ -41,23 +41,31 @@ export class Live extends HTMLElement {
   /** @type {import("./pick.js").Point?} */ point = null;
 
   connectedCallback() {
-    this.ready ??= this.#begin().catch((error) => this.#fail(error));
+    if (this.querySelector("script")) this.ready ??= this.#read().catch((error) => this.#fail(error));
   }
 
   /** The still picture stays, with a sentence.  @param {Error} error */
   #fail(error) {
     this.dataset.state = "failed";
+    this.shadowRoot?.replaceChildren(element("slot"));
     this.append(element("p", { className: "live-note", textContent: error.message }));
   }
 
-  async #begin() {
+  /** What stands in the page. */
+  async #read() {
     const script = (/** @type {string} */ kind) => this.querySelector(`script[type="${kind}"]`)?.textContent ?? "";
-    /** @type {Data} */ const data = JSON.parse(script("application/json"), (key, value) => (key === "row" ? bytesOf(value) : value));
+    await this.load(script("application/json"), await inflated(script("application/x-glsim-tape")));
+    this.querySelector("figure")?.setAttribute("hidden", "");
+  }
+
+  /** Show something, or something else.  @param {string} json  of Data @param {Uint8Array} bytes  of the tape */
+  async load(json, bytes) {
+    /** @type {Data} */ const data = JSON.parse(json, (key, value) => (key === "row" ? bytesOf(value) : value));
     this.dataset.state = "compiling";
+    this.player?.release();
     this.data = data;
-    this.tape = new Tape(await inflated(script("application/x-glsim-tape")));
-    this.plans = data.moments && Object.fromEntries(Object.entries(data.pictures).map(([name, number]) =>
-      [name, planned(/** @type {Tape} */ (this.tape), number)]));
+    const tape = this.tape = new Tape(bytes);
+    this.plans = Object.fromEntries(Object.entries(data.pictures).map(([name, number]) => [name, planned(tape, number)]));
     this.look = { frame: 0, mode: data.mode, lobe: data.lobe, edges: false, stage: (data.radiosity?.steps ?? 1) - 1, exposure: 1 };
     this.scene = new Scene(data.moments[0], data.layout);
     this.#build();
@@ -65,7 +73,6 @@ export class Live extends HTMLElement {
     this.#tell();
     await this.#prepare();
     this.draw();
-    this.querySelector("figure")?.setAttribute("hidden", "");
     this.dataset.state = "ready";
   }
 

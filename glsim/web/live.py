@@ -118,8 +118,18 @@ def frame(live: Live) -> str:
 @cache
 def code() -> str:
     """The element's code, which defines it once however often it stands on a page."""
+    return f'<script type="module">\n{_module(MODULES)}</script>'
+
+
+@cache
+def widget_code() -> str:
+    """The same as a module for anywidget."""
+    return f"{_module((*MODULES, 'widget.js'))}\nexport default {{ render }};\n"
+
+
+def _module(names: tuple[str, ...]) -> str:
     style = Path(__file__).with_name("live.css").read_text(encoding="utf-8")
-    return f'<script type="module">\nconst LIVE_CSS = {_json(style)};\n{joined(MODULES)}</script>'
+    return f"const LIVE_CSS = {_json(style)};\n{joined(names)}"
 
 
 @cache

@@ -11,7 +11,7 @@ PLAYER = ("tape.js", "destination.js", "player.js")  # each imports only those b
 
 def joined(names: tuple[str, ...] = PLAYER) -> str:
     """The modules, one after the other: each a function of its own, whose exports are constants that those behind it
-    see.  Lines that are nothing but comment are left out."""
+    see.  Lines that are nothing but comment are left out, and indentation."""
     return "\n".join(_scoped(Path(__file__).with_name(name).read_text(encoding="utf-8")) for name in names)
 
 
@@ -20,5 +20,5 @@ def _scoped(text: str) -> str:
     text = re.sub(r'^import \{[^}]*\} from "\./\w+\.js";\n', "", text, flags=re.MULTILINE)
     text = re.sub(r"^export (?=class|function|const|async)", "", text, flags=re.MULTILINE)
     text = re.sub(r"^\s*/\*\*.*?\*/ *\n?", "", text, flags=re.MULTILINE | re.DOTALL)
-    text = re.sub(r"^ *(//.*)?\n", "", text, flags=re.MULTILINE)
+    text = re.sub(r"^ *(//.*)?\n|^ +", "", text, flags=re.MULTILINE)
     return f"const {{ {exports} }} = (() => {{\n{text}return {{ {exports} }};\n}})();"

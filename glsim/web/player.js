@@ -400,6 +400,12 @@ export class Player {
     gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
   }
 
+  /** Give the context back: a browser has no more than about 16.  Nothing can be drawn afterwards. */
+  release() {
+    this.oncontext = () => {};
+    this.gl.getExtension("WEBGL_lose_context")?.loseContext();
+  }
+
   /** The picture: RGBA of 8 bits, bottom row first. */
   pixels() {
     const gl = this.gl, { width, height } = this.tape, pixels = new Uint8Array(4 * width * height);
