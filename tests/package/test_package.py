@@ -19,6 +19,7 @@ import glsim
 from glsim.course.exercise import exercise
 from glsim.course.handout import write_starter
 from glsim.play.frames import frame_of
+from glsim.web.modules import PLAYER
 from glsim.web.page import SCRIPTS
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -50,7 +51,8 @@ def test_the_wheel_has_shaders_and_lessons_and_nothing_else(dist: Path) -> None:
         for path in (ROOT / kind).iterdir():
             assert path.is_dir() or f"glsim/{kind}/{path.name}" in names
     assert {f"glsim/{library}/__init__.pyi" for library in ("gl", "glu", "glut")} <= set(names)
-    assert {f"glsim/web/{name}" for name in ("compare.css", "page.css", *SCRIPTS)} <= set(names)
+    shown = {f"glsim/web/{path.name}" for path in (ROOT / "glsim/web").iterdir() if path.suffix in (".js", ".css")}
+    assert {f"glsim/web/{name}" for name in ("page.css", *SCRIPTS, *PLAYER)} <= shown <= set(names)
     assert {"glsim/py.typed", "glsim/gl/manual.txt"} <= set(names)
     assert not [name for name in names if not name.startswith(("glsim/", "glsim-"))]
     with tarfile.open(next(dist.glob("*.tar.gz"))) as sdist:
