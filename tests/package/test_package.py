@@ -118,15 +118,17 @@ COMMANDS = [
 def test_the_readme_has_commands() -> None:
     assert len(COMMANDS) >= 20
     assert {line.split()[1] for line in COMMANDS} == {
-        "compare", "exercise", "explain", "grade", "lesson", "probe", "radiosity", "run", "terms", "trace",
+        "compare", "draw", "exercise", "explain", "grade", "lesson", "probe", "radiosity", "run", "tape", "terms",
+        "trace",
     }  # fmt: skip
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda line: line.partition("#")[0].strip())
 def test_glsim_commands_of_the_readme(command: str, tmp_path: Path) -> None:
-    """In a folder with the README's teapot.py and a submission; what a command is to write is there afterwards."""
+    """In a folder with the README's teapot.py, a tape and a submission; what a command is to write is there then."""
     (tmp_path / "teapot.py").write_text(blocks("py")[0])
+    (tmp_path / "teapot.glt").write_bytes(glsim.tape(frame_of("teapot", size=64)))
     write_starter(exercise("3"), tmp_path / "submissions" / "ann")
     words = shlex.split(command, comments=True)[1:]
     run(sys.executable, "-m", "glsim", *words, cwd=tmp_path, PYTHONPATH=str(ROOT))
