@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from glsim.render.context import Offscreen as Offscreen
     from glsim.render.context import offscreen as offscreen
     from glsim.render.device import NoDeviceError as NoDeviceError
+    from glsim.render.recorder import tape as tape
     from glsim.study import plots as plots
     from glsim.study.compare import Comparison as Comparison
     from glsim.study.compare import compare as compare
@@ -60,6 +61,7 @@ _HOME = {
     "Probe": "glsim.study.probe",
     "probe": "glsim.study.prober",
     "Terms": "glsim.study.terms",
+    "tape": "glsim.render.recorder",
     "terms": "glsim.study.terms",
     "trace": "glsim.study.trace",
     "vectors": "glsim.study.vectors",

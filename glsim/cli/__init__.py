@@ -83,12 +83,12 @@ def _with_negative_numbers(words: Sequence[str]) -> list[str]:
 
 
 def _parser() -> argparse.ArgumentParser:
-    from glsim.cli import compare, doctor, exercise, export, grade, lesson, radiosity, run, snapshots, study
+    from glsim.cli import compare, doctor, exercise, export, grade, lesson, radiosity, run, snapshots, study, tape
     from glsim.version import __version__
 
     parser = Parser(prog="glsim", description="OpenGL's fixed-function pipeline, to teach and to learn.")
     parser.add_argument("--version", action="version", version=f"glsim {__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
-    for command in (compare, run, study, export, radiosity, lesson, exercise, grade, snapshots, doctor):
+    for command in (compare, run, study, export, tape, radiosity, lesson, exercise, grade, snapshots, doctor):
         command.add(commands)
     return parser

@@ -23,7 +23,7 @@ def add(commands: Any) -> None:
 SUBJECT = "a program (.py), a built-in scene or a mesh file"
 
 
-def _add_study(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
+def add_study(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
     """A command that looks at the Frame of a program or scene."""
     p: argparse.ArgumentParser = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
     p.add_argument("what", metavar="SCRIPT|SCENE", help=SUBJECT)
@@ -37,7 +37,7 @@ def _add_study(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
     return p
 
 
-def _frame_of(options: argparse.Namespace, calls: bool) -> Frame:
+def frame_in(options: argparse.Namespace, calls: bool) -> Frame:
     from glsim.play.frames import frame_of
     from glsim.play.run import events_from
 
@@ -50,7 +50,7 @@ def _frame_of(options: argparse.Namespace, calls: bool) -> Frame:
     return frame_of(options.what, size=options.size, calls=calls, step=step, events=events, timeout=timeout)
 
 
-def _tell(frame: Frame, options: argparse.Namespace, found: dict[str, Any]) -> int:
+def tell(frame: Frame, options: argparse.Namespace, found: dict[str, Any]) -> int:
     """Print JSON if it was asked for, and say if the program ended with an error: then the exit code is 1."""
     if options.json:
         outcome = {"status": "error", "error": frame.error} if frame.error else {"status": "ok"}
@@ -62,7 +62,7 @@ def _tell(frame: Frame, options: argparse.Namespace, found: dict[str, Any]) -> i
 
 
 def _add_probe(commands: Any) -> None:
-    p = _add_study(commands, "probe", "say why a pixel has its colour: every factor of every term")
+    p = add_study(commands, "probe", "say why a pixel has its colour: every factor of every term")
     p.add_argument("x", type=number, metavar="X", help="pixels from the left")
     p.add_argument("y", type=number, metavar="Y", help="pixels from the top")
     p.add_argument("--latex", action="store_true", help="print the equation as LaTeX")
@@ -72,13 +72,13 @@ def _add_probe(commands: Any) -> None:
 def _probe(options: argparse.Namespace) -> int:
     from glsim.study.prober import probe
 
-    frame = _frame_of(options, calls=True)
+    frame = frame_in(options, calls=True)
     result = probe(frame, options.x, options.y)
     if options.latex and not options.json:
         print(result.latex())
     elif not options.json:
         console().print(result)
-    return _tell(frame, options, result.as_dict())
+    return tell(frame, options, result.as_dict())
 
 
 def show_probe(frame: Frame, x: int, y: int) -> None:
@@ -92,7 +92,7 @@ def show_probe(frame: Frame, x: int, y: int) -> None:
 
 
 def _add_terms(commands: Any) -> None:
-    p = _add_study(commands, "terms", "take the picture apart: the terms of each light, and their factors")
+    p = add_study(commands, "terms", "take the picture apart: the terms of each light, and their factors")
     p.add_argument("-o", "--output", metavar="FILE", default="terms.png", help="the sheet (default: terms.png)")
     p.set_defaults(run=_terms)
 
@@ -101,17 +101,17 @@ def _terms(options: argparse.Namespace) -> int:
     from glsim.study.terms import terms
 
     check_picture_name(options.output)
-    frame = _frame_of(options, calls=False)
+    frame = frame_in(options, calls=False)
     result = terms(frame)
     result.save(options.output)
     found = result.statistics()
     if not options.json:
         print(f"wrote {options.output}: {found['lit']} lit pixels, {found['clamped']} of them clamped")
-    return _tell(frame, options, {"output": options.output, **found})
+    return tell(frame, options, {"output": options.output, **found})
 
 
 def _add_explain(commands: Any) -> None:
-    p = _add_study(commands, "explain", "say which call set each constant and uniform of a draw")
+    p = add_study(commands, "explain", "say which call set each constant and uniform of a draw")
     p.add_argument("--draw", type=number, default=None, metavar="N", help="only this draw (default: all)")
     p.add_argument("--glsl", action="store_true", help="print the GLSL without the branches that are not taken")
     p.set_defaults(run=_explain)
@@ -120,7 +120,7 @@ def _add_explain(commands: Any) -> None:
 def _explain(options: argparse.Namespace) -> int:
     from glsim.study.explain import explain
 
-    frame = _frame_of(options, calls=True)
+    frame = frame_in(options, calls=True)
     found = explain(frame, options.draw)
     listed: list[Any] = []
     if options.json:
@@ -137,11 +137,11 @@ def _explain(options: argparse.Namespace) -> int:
 
         for table in explanations(found):
             console().print(table)
-    return _tell(frame, options, {"draws": listed})
+    return tell(frame, options, {"draws": listed})
 
 
 def _add_trace(commands: Any) -> None:
-    p = _add_study(commands, "trace", "print the calls with what each changed, and classic mistakes")
+    p = add_study(commands, "trace", "print the calls with what each changed, and classic mistakes")
     p.add_argument("--mistakes", action="store_true", help="print the mistakes only; exit code 1 if there are any")
     p.set_defaults(run=_trace)
 
@@ -150,11 +150,11 @@ def _trace(options: argparse.Namespace) -> int:
     from glsim.study.tables import calls_table, mistakes_list
     from glsim.study.trace import trace
 
-    frame = _frame_of(options, calls=True)
+    frame = frame_in(options, calls=True)
     found = trace(frame)
     if not options.json:
         if not options.mistakes:
             console().print(calls_table(found))
         console().print(mistakes_list(found))
-    code = _tell(frame, options, found.as_dict())
+    code = tell(frame, options, found.as_dict())
     return 1 if options.mistakes and found.mistakes else code

@@ -20,7 +20,7 @@ from glsim.machine.frame import Accum, Frame, Packet, Pixels, QueryMark
 from glsim.render.draw import Renderer
 from glsim.render.gpu import Buffer, Program, VertexArray
 from glsim.render.specialise import specialised_body, split
-from glsim.render.tape import STATE, Picture, Tape
+from glsim.render.tape import SAMPLES, STATE, Picture, Tape
 
 if TYPE_CHECKING:
     from glsim.render.context import Offscreen
@@ -191,6 +191,8 @@ def record(frames: Mapping[str, Frame], samples: int = 0) -> Tape:
 
     A screen is opened only if a Frame has packets that read the picture.
     """
+    if samples not in SAMPLES:
+        raise ValueError(f"a tape has {', '.join(map(str, SAMPLES))} samples, not {samples!r}")
     sizes = {(frame.width, frame.height) for frame in frames.values()}
     if len(sizes) != 1:
         raise ValueError(f"a tape has pictures of one size, not of {sorted(sizes)}")
@@ -231,6 +233,6 @@ def tape(frame: Frame, *, samples: int = 0) -> bytes:
     """What glsim told the GPU to draw a Frame, as a tape (tape.py describes the format).
 
     The tape draws the same picture in a browser (glsim/web/player.js) and, with ``glsim draw``, here.
-    samples: multisampling, 0 for none.
+    samples: multisampling, 0 for none, or 2, 4, 8, 16, 32.  Raises ValueError for another number.
     """
     return record({"picture": frame}, samples).to_bytes()

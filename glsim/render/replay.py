@@ -46,7 +46,7 @@ def replayed(tape: Tape, number: int = 0) -> NDArray[np.uint8]:
     as many samples.
     """
     if not 0 <= number < len(tape.pictures):
-        raise TapeError(f"this tape has {len(tape.pictures)} pictures, numbered from 0, and none with number {number}")
+        raise TapeError(f"this tape has no picture {number}: it holds {len(tape.pictures)}, numbered from 0")
     with own_screen(tape.width, tape.height, samples=tape.samples) as screen:
         with uninterrupted(), screen.ctx:
             screen._target.use()

@@ -6,7 +6,7 @@
  */
 
 const style = new CSSStyleSheet();
-style.replaceSync(CSS);
+style.replaceSync(COMPARE_CSS);
 const watch = new IntersectionObserver((entries) => {
   for (const { target, isIntersecting } of entries) {
     const { viewer } = /** @type {GlsimCompare} */ (target);

@@ -240,9 +240,10 @@ def _json(data: object) -> str:
 
 
 def _script() -> str:
-    """The custom element's code in a function of its own, after its style as the text CSS."""
+    """The custom element's code in a function of its own, after its style as the text COMPARE_CSS."""
     code = "".join(_file(name) for name in SCRIPTS)
-    return f'<script>(() => {{\n"use strict";\nconst CSS = {_json(_file("compare.css"))};\n{code}}})();\n</script>'
+    style = _json(_file("compare.css"))
+    return f'<script>(() => {{\n"use strict";\nconst COMPARE_CSS = {style};\n{code}}})();\n</script>'
 
 
 @cache

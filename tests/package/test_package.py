@@ -19,6 +19,7 @@ import glsim
 from glsim.course.exercise import exercise
 from glsim.course.handout import write_starter
 from glsim.play.frames import frame_of
+from glsim.web.modules import PLAYER
 from glsim.web.page import SCRIPTS
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -50,7 +51,8 @@ def test_the_wheel_has_shaders_and_lessons_and_nothing_else(dist: Path) -> None:
         for path in (ROOT / kind).iterdir():
             assert path.is_dir() or f"glsim/{kind}/{path.name}" in names
     assert {f"glsim/{library}/__init__.pyi" for library in ("gl", "glu", "glut")} <= set(names)
-    assert {f"glsim/web/{name}" for name in ("compare.css", "page.css", *SCRIPTS)} <= set(names)
+    shown = {f"glsim/web/{path.name}" for path in (ROOT / "glsim/web").iterdir() if path.suffix in (".js", ".css")}
+    assert {f"glsim/web/{name}" for name in ("page.css", *SCRIPTS, *PLAYER)} <= shown <= set(names)
     assert {"glsim/py.typed", "glsim/gl/manual.txt"} <= set(names)
     assert not [name for name in names if not name.startswith(("glsim/", "glsim-"))]
     with tarfile.open(next(dist.glob("*.tar.gz"))) as sdist:
@@ -116,15 +118,17 @@ COMMANDS = [
 def test_the_readme_has_commands() -> None:
     assert len(COMMANDS) >= 20
     assert {line.split()[1] for line in COMMANDS} == {
-        "compare", "exercise", "explain", "grade", "lesson", "probe", "radiosity", "run", "terms", "trace",
+        "compare", "draw", "exercise", "explain", "grade", "lesson", "probe", "radiosity", "run", "tape", "terms",
+        "trace",
     }  # fmt: skip
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda line: line.partition("#")[0].strip())
 def test_glsim_commands_of_the_readme(command: str, tmp_path: Path) -> None:
-    """In a folder with the README's teapot.py and a submission; what a command is to write is there afterwards."""
+    """In a folder with the README's teapot.py, a tape and a submission; what a command is to write is there then."""
     (tmp_path / "teapot.py").write_text(blocks("py")[0])
+    (tmp_path / "teapot.glt").write_bytes(glsim.tape(frame_of("teapot", size=64)))
     write_starter(exercise("3"), tmp_path / "submissions" / "ann")
     words = shlex.split(command, comments=True)[1:]
     run(sys.executable, "-m", "glsim", *words, cwd=tmp_path, PYTHONPATH=str(ROOT))

@@ -171,7 +171,7 @@ def test_other_files(data: bytes) -> None:
 def test_forged_heads(good: Tape, changes: dict[str, Any]) -> None:
     data = forged(good, **changes)
     if changes == {"pictures": {}}:
-        with pytest.raises(TapeError, match="0 pictures, numbered from 0, and none with number 0"):
+        with pytest.raises(TapeError, match="no picture 0: it holds 0, numbered from 0"):
             replayed(Tape.from_bytes(data))
         return
     with pytest.raises(TapeError, match=r"^this tape is damaged: "):
