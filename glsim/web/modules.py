@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-PLAYER = ("tape.js", "destination.js", "player.js")  # each imports only those before it
+PLAYER = ("tape.js", "destination.js", "made.js", "player.js")  # each imports only those before it
 
 
 def joined(names: tuple[str, ...] = PLAYER) -> str:

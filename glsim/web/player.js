@@ -14,19 +14,17 @@
  * @typedef {import("./tape.js").Part} Part
  * @typedef {import("./tape.js").Program} Program
  * @typedef {import("./tape.js").Texture} Texture
- * @typedef {{program: WebGLProgram, shaders: WebGLShader[], inputs: Map<string, number>?,
- *   arrays: WeakMap<Draw, WebGLVertexArrayObject>}} Linked
- * @typedef {{size: number, patched: number, gl: WebGLBuffer}} Uploaded
+ * @typedef {import("./made.js").Linked} Linked
  */
 import { EMPTY } from "./tape.js";
-import { Blending, DESTINATION_UNIT, destinationShader } from "./destination.js";
+import { DESTINATION_UNIT, destinationShader } from "./destination.js";
+import { Made } from "./made.js";
 
 /** A sentence for people: what is missing, and what they can do. */
 export class PlayerError extends Error {}
 
 const NO_WEBGL2 = "This browser has no WebGL2, with which the picture is drawn. Try a current Firefox, Chrome, Edge or Safari,"
   + " or turn on hardware acceleration in its settings.";
-const EXTENSIONS = ["EXT_color_buffer_float", "OES_texture_float_linear", "KHR_parallel_shader_compile"];
 const COMPLETED = 0x91b1; // COMPLETION_STATUS_KHR
 const GAPS = {
   alphaToOne: "GL_SAMPLE_ALPHA_TO_ONE beside GL_SAMPLE_ALPHA_TO_COVERAGE: WebGL2 lacks it; alpha stays as it is.",
@@ -44,37 +42,6 @@ const DEPTH_CLAMP = 0x864f, MULTISAMPLE = 0x809d, ALPHA_TO_COVERAGE = 0x809e, AL
 const OPAQUE = "void main() { glsim_main(); fragment_color.a = 1.0; }\n";
 const LOD_BIAS = 0x8501, BORDER = 0x812d, EDGE = 0x812f;
 const DEPTH24 = 0x81a6;
-
-/** Everything that lives in the context, and goes with it. */
-class Made {
-  /** @param {WebGL2RenderingContext} gl @param {Tape} tape */
-  constructor(gl, { width, height, samples }) {
-    for (const name of EXTENSIONS) gl.getExtension(name);
-    this.depthClamp = gl.getExtension("EXT_depth_clamp");
-    /** By program, then by the added text. @type {WeakMap<Program, Map<string, Linked>>} */
-    this.programs = new WeakMap();
-    /** By the texts: programs of several pictures may have the same. @type {Map<string, Linked>} */ this.byText = new Map();
-    /** @type {Map<string, Uploaded>} */ this.buffers = new Map();
-    /** @type {WeakMap<Texture, WebGLTexture>} */ this.textures = new WeakMap();
-    this.samples = Math.min(samples, gl.getParameter(gl.MAX_SAMPLES));
-    this.target = this.#framebuffer(gl, width, height, this.samples);
-    this.resolved = this.samples ? this.#framebuffer(gl, width, height, 0) : this.target;
-    this.blending = new Blending(gl, width, height);
-  }
-
-  /** @param {WebGL2RenderingContext} gl @param {number} width @param {number} height @param {number} samples */
-  #framebuffer(gl, width, height, samples) {
-    const framebuffer = /** @type {WebGLFramebuffer} */ (gl.createFramebuffer());
-    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-    for (const [format, attachment] of [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH24_STENCIL8, gl.DEPTH_STENCIL_ATTACHMENT]]) {
-      const buffer = gl.createRenderbuffer();
-      gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
-      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
-    }
-    return framebuffer;
-  }
-}
 
 export class Player {
   /**

@@ -211,6 +211,32 @@ def test_alpha_to_one(screen: glsim.Offscreen, played: Played, samples: int) -> 
     assert not shown.gaps
 
 
+@pytest.mark.parametrize(
+    "name", ["term_specular_n10", "clip_planes", "four_units", "shadow_map", "cube_map_normal_map"]
+)
+def test_a_browser_compiles_program_source(screen: glsim.Offscreen, played: Played, name: str) -> None:
+    """The whole text with its constants, as it is shown; tapes hold it folded."""
+    ALL[name]()
+    glShadeModel(GL_PHONG_WIN)
+    said = played.browser.js(
+        """
+        const gl = document.createElement("canvas").getContext("webgl2"), program = gl.createProgram();
+        const shaders = [...arguments].map((text, stage) => {
+          const shader = gl.createShader(stage ? gl.FRAGMENT_SHADER : gl.VERTEX_SHADER);
+          gl.shaderSource(shader, text);
+          gl.compileShader(shader);
+          gl.attachShader(program, shader);
+          return shader;
+        });
+        gl.linkProgram(program);
+        const linked = gl.getProgramParameter(program, gl.LINK_STATUS);
+        return linked ? "" : "it does not link " + shaders.map((one) => gl.getShaderInfoLog(one)).join();
+        """,
+        *(glsim.program_source(stage, es=True) for stage in ("vertex", "fragment")),
+    )
+    assert not said
+
+
 def test_a_lost_context_comes_back(screen: glsim.Offscreen, played: Played) -> None:
     """With textures, arrays, blending in the shader: all is made anew."""
     frames, _ = drawn(screen, ALL["four_units"], ALL["logic_op_xor"], ALL["many_objects"])
