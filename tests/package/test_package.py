@@ -83,7 +83,7 @@ def blocks(language: str) -> list[str]:
 @pytest.mark.slow
 def test_python_of_the_readme(program: str, tmp_path: Path) -> None:
     run(sys.executable, "-c", program, cwd=tmp_path, PYTHONPATH=str(ROOT))
-    assert list(tmp_path.glob("*.png"))
+    assert [path for path in tmp_path.iterdir() if path.suffix in (".png", ".html")]
 
 
 @pytest.mark.parametrize("number", [1, 2])
@@ -118,8 +118,8 @@ COMMANDS = [
 def test_the_readme_has_commands() -> None:
     assert len(COMMANDS) >= 20
     assert {line.split()[1] for line in COMMANDS} == {
-        "compare", "draw", "exercise", "explain", "grade", "lesson", "probe", "radiosity", "run", "tape", "terms",
-        "trace",
+        "compare", "draw", "exercise", "explain", "export", "grade", "lesson", "probe", "radiosity", "run", "tape",
+        "terms", "trace",
     }  # fmt: skip
 
 
