@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from typing import Any
 
 from glsim.cli.options import count, lobe, number, positive, shading, size
@@ -64,10 +65,13 @@ def _export(options: argparse.Namespace) -> int:
         "frames": made.frames,
     }
     if options.json:
-        print(json.dumps({"status": "ok", **found}))
+        outcome = {"status": "error", "error": made.error} if made.error else {"status": "ok"}
+        print(json.dumps({**outcome, **found}))
     else:
         print(f"wrote {options.output}: open it in a browser; it needs no network")
-    return 0
+        if made.error:
+            print(f"glsim: {options.what} ended early: {made.error}", file=sys.stderr)
+    return 1 if made.error else 0
 
 
 def _names(text: str | None, check: Any) -> list[str] | None:

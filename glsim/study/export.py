@@ -51,7 +51,11 @@ def live(
         raise ValueError(f"{_name(what)} draws nothing, so there is nothing to export")
     tell("recording")
     names = {f"picture {number}" if len(drawn) > 1 else "picture": frame for number, frame in enumerate(drawn)}
-    return live_of(names, title or _name(what), modes=modes, lobes=lobes, controls=controls, samples=samples)
+    made = live_of(names, title or _name(what), modes=modes, lobes=lobes, controls=controls, samples=samples)
+    made.error = next((frame.error for frame in drawn if frame.error), "")
+    if made.error:
+        made.notes.insert(0, f"The program ended early: {made.error}")
+    return made
 
 
 def _solution(what: Any, patches: int, tell: Callable[[str], object]) -> Any:

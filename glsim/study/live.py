@@ -269,16 +269,16 @@ def camera_of(frame: Frame) -> dict[str, Any]:
     projections: dict[Matrix, NDArray[np.float64]] = {
         draw.matrices[1]: np.asarray(draw.matrices[1].get()) for draw in draws
     }
-    perspective = any(matrix[3, 3] == 0.0 for matrix in projections.values())
+    perspective = any(map(_is_perspective, projections.values()))
     distinct = {matrix.tobytes(): matrix for matrix in projections.values()}
-    turning = [draw for draw in draws if not perspective or projections[draw.matrices[1]][3, 3] == 0.0]
+    turning = [draw for draw in draws if not perspective or _is_perspective(projections[draw.matrices[1]])]
     points = np.concatenate([*map(_eye_positions, turning), np.empty((0, 3))])
     low, high = (points.min(axis=0), points.max(axis=0)) if len(points) else (np.zeros(3), np.zeros(3))
     view = _view(frame, turning)
     seen = IDENTITY if view is None else view
     return {
         "projections": [
-            {"matrix": _numbers(matrix), "turns": not perspective or bool(matrix[3, 3] == 0.0)}
+            {"matrix": _numbers(matrix), "turns": not perspective or _is_perspective(matrix)}
             for matrix in distinct.values()
         ],
         "centre": ((low + high) / 2.0).tolist(),
@@ -287,6 +287,11 @@ def camera_of(frame: Frame) -> dict[str, Any]:
         "up": (np.array([0.0, 1.0, 0.0]) @ seen[:3, :3]).tolist(),
         "hasView": view is not None,
     }
+
+
+def _is_perspective(projection: NDArray[np.float64]) -> bool:
+    """Whether what is farther away is smaller; what a HUD draws beside a scene is not."""
+    return bool(projection[:3, 3].any())
 
 
 def _eye_positions(draw: Draw) -> NDArray[np.float64]:
@@ -349,8 +354,8 @@ def _named() -> list[dict[str, Any]]:
 
 
 def _numbers(matrix: NDArray[np.float64]) -> list[float]:
-    """A matrix as OpenGL has it: 16 numbers, column by column."""
-    return [float(value) for value in np.ravel(matrix)]
+    """A matrix as OpenGL has it: 16 numbers, column by column; JSON has no infinite ones."""
+    return [float(value) for value in np.nan_to_num(np.ravel(matrix))]
 
 
 def _base64(data: bytes) -> str:

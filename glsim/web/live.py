@@ -40,8 +40,8 @@ class Live:
     pictures: "frame mode lobe" -> number on the tape, "frame edges" -> the picture of the polygons' edges.
     moments: for each frame what live.js calls a Moment.  mode, lobe: what is shown first.
     controls: which there are, of "mode", "lobe", "edges", "lights", "materials", "ambient".
-    named: materials by name.  notes: sentences under the picture; those that begin with "Turned: " are shown when the
-    camera has been turned.  radiosity: what live.js calls Radiosity.
+    named: materials by name.  error: why the program ended early.  notes: sentences under the picture; those that begin
+    with "Turned: " are shown when the camera has been turned.  radiosity: what live.js calls Radiosity.
     """
 
     title: str
@@ -57,6 +57,7 @@ class Live:
     controls: list[str] = field(default_factory=list)
     named: list[dict[str, Any]] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+    error: str = ""
     radiosity: dict[str, Any] | None = None
 
     def data(self) -> dict[str, Any]:

@@ -9,6 +9,7 @@
 import { along, dot, inverse, transform, unit } from "./matrix.js";
 import { literal } from "./source.js";
 
+const ARROW = 0.22; // length of a vector, in heights of the picture
 const COLOURS = { N: "#ffd24d", L: "#ff7b54", V: "#6ec6ff", R: "#b388ff", H: "#69f0ae" };
 
 export class Overlay {
@@ -72,7 +73,7 @@ export class Overlay {
     if (handles) for (const handle of this.handles(scene)) this.#lamp(scene, handle);
     const at = point && this.place(scene, point.P);
     if (!point || !at) return;
-    const length = 0.45 * scene.moment.camera.radius;
+    const [, , , w] = transform(scene.projection, [...point.P, 1]), length = (ARROW * 2 * w) / scene.projection[5];
     for (const { name, vector } of arrows) {
       const end = this.place(scene, along(point.P, vector, length));
       if (end) this.#arrow(at, end, name);

@@ -65,7 +65,8 @@ export class Panel {
       rows.push(this.#slider(name("spot_cutoff"), true), this.#slider(name("spot_exponent")), this.#vector(name("spot_direction"), 3));
       for (const part of ["constant", "linear", "quadratic"]) rows.push(this.#slider(name(`${part}_attenuation`)));
     }
-    return this.#group(`Light ${light}`, rows);
+    const before = this.scene.moment.lights.slice(0, number).filter((other) => other.number === light).length;
+    return this.#group(`Light ${light}${before ? `, changed ${before === 1 ? "once" : `${before} times`}` : ""}`, rows);
   }
 
   /** @param {number} number @param {Named[]} named */

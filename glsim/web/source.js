@@ -35,13 +35,16 @@ function faceName(scene, number, face) {
   return face === "back" ? "GL_BACK" : material.face;
 }
 
-/** The call that makes a projection matrix: gluPerspective if the middle is in the middle, else glFrustum; or glOrtho.
- * @param {number[]} P */
+/** The call that makes a projection matrix: gluPerspective if the middle is in the middle, else glFrustum; or glOrtho; or, of
+ * another kind, glLoadMatrixf.  @param {number[]} P */
 export function projectionLine(P) {
+  const perspective = P[11] === -1 && P[15] === 0;
+  const usual = [0, 5, 10, 14, ...(perspective ? [8, 9, 11] : [12, 13, 15])]; // where numbers other than 0 may stand
+  if (P.some((value, k) => value !== 0 && !usual.includes(k)) || (!perspective && P[15] !== 1)) return `glLoadMatrixf(${list(P)})`;
   const ends = (/** @type {number} */ axis) => // of the picture, per unit of depth in perspective
-    [-1, 1].map((end) => (end + (P[15] ? -P[12 + axis] : P[8 + axis])) / P[5 * axis]);
+    [-1, 1].map((end) => (end + (perspective ? P[8 + axis] : -P[12 + axis])) / P[5 * axis]);
   const write = (/** @type {string} */ name, /** @type {number[]} */ numbers) => `${name}(${numbers.map(literal).join(", ")})`;
-  if (P[15]) return write("glOrtho", [...ends(0), ...ends(1), (P[14] + 1) / P[10], (P[14] - 1) / P[10]]);
+  if (!perspective) return write("glOrtho", [...ends(0), ...ends(1), (P[14] + 1) / P[10], (P[14] - 1) / P[10]]);
   const near = P[14] / (P[10] - 1), far = P[14] / (P[10] + 1);
   if (P[8] || P[9]) return write("glFrustum", [...[...ends(0), ...ends(1)].map((end) => end * near), near, far]);
   return write("gluPerspective", [(360 / Math.PI) * Math.atan(1 / P[5]), P[5] / P[0], near, far]);

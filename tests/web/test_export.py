@@ -14,6 +14,7 @@ import glsim
 from glsim.cli import main
 from glsim.gl import *
 from glsim.glu import gluLookAt, gluPerspective
+from glsim.glut import glutSolidCube
 from glsim.machine.frame import Frame
 from glsim.render.context import drawn as picture_of
 from glsim.study.export import export, live, show
@@ -178,6 +179,42 @@ def test_what_a_head_up_display_draws_does_not_turn(browser: Browser, screen: gl
     assert green[0].any()
     assert (green[0] == green[1]).all()
     assert (before[..., 0] > 200).sum() > 1.5 * (after[..., 0] > 200).sum() > 0
+
+
+def camera_in_the_projection(*turned: float) -> None:
+    """A classic mistake: gluLookAt multiplies GL_PROJECTION.  turned: for a gluLookAt where it belongs."""
+    drawn()
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glMatrixMode(GL_PROJECTION)
+    gluLookAt(1, 2, 6, 0, 0, 0, 0, 1, 0)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    if turned:
+        gluLookAt(*turned)
+    glutSolidCube(1.5)
+
+
+def test_a_camera_in_the_projection_turns_too(browser: Browser, screen: glsim.Offscreen, tmp_path: Path) -> None:
+    frame = frame_of(screen, camera_in_the_projection)
+    frame.packets = frame.packets[-2:]  # from the second glClear on
+    opened(browser, tmp_path / "page.html", {"picture": frame})
+    turned = seen(browser, "live.orbit({yaw: 35, pitch: 10})")
+    eye = live_in(browser, "return live.scene.lookAt")
+    assert off(turned, pixels(screen, lambda: camera_in_the_projection(*eye))) <= 1e-3
+    seen(browser, "live.orbit({yaw: 0, pitch: 0, zoom: 2})")
+    assert live_in(browser, "return live.source.textContent").startswith("glLoadMatrixf([")
+
+
+def test_a_program_that_ends_early_is_exported_and_told(
+    browser: Browser, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    broken = ANIMATION.replace("    glutSwapBuffers()", "    glutSwapBuffers()\n    glEnable(1)")
+    (tmp_path / "broken.py").write_text(broken, encoding="utf-8")
+    page = tmp_path / "page.html"
+    assert main(["export", str(tmp_path / "broken.py"), "-o", str(page), "--json"]) == 1
+    assert json.loads(capsys.readouterr().out)["status"] == "error"
+    shown(browser, page)
+    assert "ended early" in live_in(browser, "return live.gaps.textContent")
 
 
 def cut() -> None:
