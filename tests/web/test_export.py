@@ -191,12 +191,16 @@ def camera_in_the_projection(*turned: float) -> None:
     glLoadIdentity()
     if turned:
         gluLookAt(*turned)
-    glutSolidCube(1.5)
+    glDisable(GL_LIGHTING)  # whose lights drawn() has put into another eye space
+    for color, size in (((1.0, 0.0, 0.0), 1.5), ((0.0, 1.0, 0.0), 0.8)):
+        glColor3f(*color)
+        glutSolidCube(size)
+        glTranslatef(1.0, 0.5, 0.3)
 
 
 def test_a_camera_in_the_projection_turns_too(browser: Browser, screen: glsim.Offscreen, tmp_path: Path) -> None:
     frame = frame_of(screen, camera_in_the_projection)
-    frame.packets = frame.packets[-2:]  # from the second glClear on
+    frame.packets = frame.packets[-3:]  # from the second glClear on
     opened(browser, tmp_path / "page.html", {"picture": frame})
     turned = seen(browser, "live.orbit({yaw: 35, pitch: 10})")
     eye = live_in(browser, "return live.scene.lookAt")
