@@ -198,4 +198,4 @@ glsim.compare(
 #
 # ## Exercise
 #
-# Exercise 13: Phong shading by hand, and in GLSL.
+# Exercise 13 (lesson 16): Phong shading by hand, and in GLSL.

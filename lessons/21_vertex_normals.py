@@ -243,4 +243,4 @@ for weight in ("equal", "area", "angle"):
 #
 # ## Exercise
 #
-# Exercise 17: vertex normals.
+# Exercise 17 (lesson 21): vertex normals.

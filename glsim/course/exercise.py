@@ -139,6 +139,11 @@ class Exercise:
     def title(self) -> str:
         return self.definition.title
 
+    @property
+    def heading(self) -> str:
+        """What the exercise is called wherever it is named: exercises and lessons have numbers of their own."""
+        return f"Exercise {self.number} (lesson {self.definition.lesson}): {self.title}"
+
     @cached_property
     def points(self) -> int:
         return sum(part.points for part in self.definition.parts)

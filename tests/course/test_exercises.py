@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -63,6 +64,23 @@ def test_every_exercise_belongs_to_a_lesson_that_names_it() -> None:
         assert lesson is not None, f"{one.name}: there is no lesson {one.definition.lesson}"
         text = "\n".join(cell.source for cell in lesson.cells)
         assert f"Exercise {one.number}" in text, f"lesson {lesson.number} does not name exercise {one.number}"
+
+
+def test_whatever_names_an_exercise_names_its_lesson(capsys: pytest.CaptureFixture[str]) -> None:
+    """Exercise 3 belongs to lesson 7: a number alone would be taken for the other."""
+    belongs = {str(one.number): f"{one.number} (lesson {one.definition.lesson}):" for one in EXERCISES}
+    for lesson in lessons():
+        for cell in lesson.cells:
+            for number in re.findall(r"\bExercises? (\d+)", cell.source):
+                assert f"Exercise {belongs[number]}" in cell.source, f"{lesson.name}: exercise {number}"
+    assert main(["exercise", "list"]) == 0
+    listed = capsys.readouterr().out.splitlines()
+    assert [f"(lesson {one.definition.lesson})" in line for one, line in zip(EXERCISES, listed, strict=True)]
+    one = next(one for one in EXERCISES if one.number != one.definition.lesson)
+    assert main(["exercise", "show", str(one.number)]) == 0
+    assert one.heading in capsys.readouterr().out
+    assert one.heading in starter(one)
+    assert one.heading == f"Exercise {belongs[str(one.number)]} {one.title}"
 
 
 def test_a_frame_over_which_a_judge_stumbles_gets_no_points() -> None:

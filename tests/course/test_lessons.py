@@ -127,3 +127,14 @@ def test_a_shown_lesson_keeps_the_signs_of_its_formulas(capsys: pytest.CaptureFi
     formulas = re.findall(r"\$[^$]*\\,[^$]*\$", text_of(lesson("lambert")))
     assert formulas, "the lesson has a formula with a space, which Markdown would take for a comma"
     assert r"I_L\, k_d" in shown
+
+
+def test_a_shown_lesson_keeps_its_answers_until_they_are_asked_for(capsys: pytest.CaptureFixture[str]) -> None:
+    answers = "The second square is half as bright", "The cosine is flat at its top"
+    assert main(["lesson", "show", "lambert"]) == 0
+    shown = capsys.readouterr().out
+    assert not [words for words in answers if words in shown]
+    assert "show lambert --answers" in shown
+    assert main(["lesson", "show", "lambert", "--answers"]) == 0
+    shown = capsys.readouterr().out
+    assert all(words in shown for words in answers)
