@@ -45,17 +45,33 @@ def base_name(test: str, name: str = "") -> str:
     The result is safe in every file system.  Where that changes a name (capitals, as some systems don't tell them from
     small letters; other signs; length), a hash of the original is added, so that no two snapshots share a file.
     """
-    head, bracket, parameters = test.partition("[")
-    base = re.sub(r"[^\w+]", "-", head.replace("::", "+"), flags=re.ASCII)
-    if bracket:
-        base += "[" + re.sub(r"[^\w.-]", "-", parameters.removesuffix("]"), flags=re.ASCII) + "]"
+    base = _safe(test)
     if name:
         base += "-" + re.sub(r"[^\w-]", "-", name, flags=re.ASCII)
     original = test.replace("::", "+") + ("-" + name if name else "")
     if base == original.lower() and len(base) <= LONGEST and not re.fullmatch(r"(?i)con|prn|aux|nul|(com|lpt)\d", base):
         return base
     digest = sha256(f"{test}\0{name}".encode()).hexdigest()[:8]
-    return (base if len(base) <= LONGEST else re.sub(r"[\[\].]", "-", base[:LONGEST])) + f"-{digest}"
+    return (base if len(base) <= LONGEST else _cut(base)) + f"-{digest}"
+
+
+def _safe(test: str) -> str:
+    head, bracket, parameters = test.partition("[")
+    base = re.sub(r"[^\w+]", "-", head.replace("::", "+"), flags=re.ASCII)
+    if bracket:
+        base += "[" + re.sub(r"[^\w.-]", "-", parameters.removesuffix("]"), flags=re.ASCII) + "]"
+    return base
+
+
+def _cut(base: str) -> str:
+    return re.sub(r"[\[\].]", "-", base[:LONGEST])
+
+
+def may_belong(file_name: str, test: str) -> bool:
+    """Whether a file can be a baseline of a test, whatever the name of the snapshot."""
+    base = _safe(test)
+    heads = [head for head in (base, _cut(base)) if file_name.startswith(head)]
+    return any(len(base) >= LONGEST or file_name[len(head)] in "-." for head in heads)
 
 
 def belongs(file_name: str, base: str) -> bool:
