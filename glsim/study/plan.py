@@ -10,7 +10,7 @@ from glsim.names import LOBES as LOBE_NAMES
 from glsim.names import did_you_mean
 from glsim.study import axes as ax
 from glsim.study.axes import Axis, Setting, Value
-from glsim.study.looks import LOBES, MODES, SHADED, Look, look
+from glsim.study.looks import LOBES, MODES, ONE_LOBE, SHADED, Look, look
 
 DEFAULT_MODES = ("flat", "gouraud", "phong")
 
@@ -91,7 +91,8 @@ def planned(
         lobes = lobes[:1]
     named = any(one.lobe for one in looks.values())
     driver = all(one.mode == "native" for one in looks.values())  # which has no other lobe
-    lobes = lobes or (["blinn"] if swept or named or driver else list(LOBES))
+    single = any(one.mode in ONE_LOBE for one in looks.values())
+    lobes = lobes or (["blinn"] if swept or named or single else list(LOBES))
     if looks and driver and not given and "blinn" not in lobes:
         raise ValueError("compare: the driver's fixed function has the lobe blinn only")
     start = Setting(lobe=lobes[0])

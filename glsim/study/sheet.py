@@ -69,12 +69,6 @@ def fitted(text: str, size: float, width: int, color: Color = INK) -> list[Image
     return [written(text, max(size * width / line.width * 0.98, 8.0), color)]
 
 
-def plain(text: str) -> str:
-    """The same text with Unicode's indices and exponents where it has them."""
-    text = re.sub(r"_(\d)", lambda found: chr(0x2080 + int(found[1])), text)
-    return text.replace("^n", "ⁿ")
-
-
 # ---------------------------------------------------------------- geometry
 
 
