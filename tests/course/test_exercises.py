@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
+import glsim
 from glsim.cli import main
 from glsim.course.asking import Answers
 from glsim.course.cells import lessons
 from glsim.course.checking import judged
-from glsim.course.exercise import Definition, Drawn, Exercise, exercises
+from glsim.course.exercise import Definition, Drawn, Exercise, Picture, exercises
 from glsim.course.handout import hints, starter
+from glsim.course.isolation import Separate
+from glsim.course.redrawing import redrawn
 from glsim.machine.frame import Frame
+from glsim.render.context import drawn
 from tests.course.grading import VARIANTS, changed, marks_of, solution_of, variants_of
 
 EXERCISES = exercises()
@@ -104,3 +110,20 @@ def test_a_shown_statement_keeps_the_signs_of_its_formulas(capsys: pytest.Captur
     shown = capsys.readouterr().out
     assert r"$\mathbf{\Gamma}_k$" in shown
     assert r"\sum_k \gamma_k\," in shown
+
+
+@pytest.mark.slow
+def test_drawing_a_students_frame_again_has_a_time_limit(tmp_path: Path) -> None:
+    """How much is drawn is the program's choice; within the limit it is the picture that is drawn here."""
+    one = next(one for one in EXERCISES if any(isinstance(part, Picture) for part in one.definition.parts))
+    with glsim.offscreen(32, 24), glsim.capture() as frame:
+        glsim.gl.glRectf(-0.5, -0.5, 0.5, 0.2)
+    assert np.array_equal(redrawn(frame, Separate(), 60.0), drawn(frame)[..., :3])
+    part = next(part for part in one.definition.parts if isinstance(part, Picture))
+    with Image.open(one.path.parent / part.name) as expected:
+        frame.width, frame.height = expected.size
+    frame.packets *= 1_000_000
+    alone = replace(one, definition=replace(one.definition, parts=[part]))
+    result = judged(alone, Answers([{}], frame), seconds=3.0)
+    assert result.points == 0
+    assert "cannot be drawn again within 3 seconds" in result.marks[0].hint
