@@ -35,7 +35,10 @@ WRONG = [
 ]
 
 
-@pytest.mark.parametrize("one", EXERCISES, ids=lambda one: one.name)
+ASKED = [pytest.param(one, id=one.name, marks=pytest.mark.slow if one.definition.program else ()) for one in EXERCISES]
+
+
+@pytest.mark.parametrize("one", ASKED)
 def test_right_solutions_get_all_points(one: Exercise, tmp_path: Path) -> None:
     variants = variants_of(one.name).RIGHT
     assert len(variants) >= 2, "two solutions beside the reference, written differently"
@@ -45,7 +48,7 @@ def test_right_solutions_get_all_points(one: Exercise, tmp_path: Path) -> None:
         assert result.points == one.points
 
 
-@pytest.mark.parametrize("one", EXERCISES, ids=lambda one: one.name)
+@pytest.mark.parametrize("one", ASKED)
 def test_the_starter_fails_with_a_hint(one: Exercise, tmp_path: Path) -> None:
     result = marks_of(one, starter(one), tmp_path)
     assert result.first_failure is not None
