@@ -44,12 +44,12 @@ class Cell:
 
 
 def folded(source: str) -> str:
-    """A cell's Markdown with the answer to the lesson's prediction inside of <details>, as those to questions are."""
+    """A cell's Markdown with the answer to the prediction folded into <details>, as the answers to questions are."""
     return ANSWER.sub(r'<details class="answer"><summary>What you should see</summary>\n\n\1\n\n</details>\n\n', source)
 
 
 def unanswered(source: str) -> str:
-    """A cell's Markdown with dots in place of each answer, to the prediction as to questions."""
+    """A cell's Markdown with dots in place of every answer: that to the prediction, and those to questions."""
     return re.sub(r"<details.*?<summary>(.*?)</summary>.*?</details>", r"*\1: …*", folded(source), flags=re.DOTALL)
 
 

@@ -38,8 +38,8 @@ class Result:
 
 
 def check(exercise: Exercise, file: Path, isolation: Isolation | None = None, seconds: float = SECONDS) -> Result:
-    """Judge a student's file.  isolation: none for the student's own machine.  seconds: that the file may run, and that
-    redrawing what it drew may take.
+    """Judge a student's file.  isolation: none for the student's own machine.  seconds: that the file
+    may run, and again that redrawing its picture may take.
 
     Raises FileNotFoundError if there is no such file."""
     isolation = isolation or Separate()
@@ -49,8 +49,8 @@ def check(exercise: Exercise, file: Path, isolation: Isolation | None = None, se
 def judged(
     exercise: Exercise, answers: Answers, isolation: Isolation | None = None, seconds: float = SECONDS
 ) -> Result:
-    """The marks for a file's answers.  isolation: that in which the file ran, and in which its picture is redrawn for
-    at most ``seconds``."""
+    """The marks for a file's answers.  isolation: in which the file ran, and in which its picture is redrawn.
+    seconds: that redrawing may take."""
     isolation = isolation or Separate()
     marks = tuple(
         _judge(exercise, part, answer, answers, isolation, seconds)

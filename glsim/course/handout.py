@@ -59,7 +59,7 @@ def hints(exercise: Exercise) -> list[str]:
 
 
 def progress_file() -> Path:
-    """Where it is written which exercises are solved: $XDG_STATE_HOME/glsim/exercises.json, or below ~/.local/state."""
+    """The file that says which exercises are solved: $XDG_STATE_HOME/glsim/exercises.json, or below ~/.local/state."""
     base = os.environ.get("XDG_STATE_HOME") or os.path.join(os.path.expanduser("~"), ".local", "state")
     return Path(base) / "glsim" / "exercises.json"
 

@@ -15,7 +15,7 @@ INSTALL = Cell("code", "%pip install -q 'glsim[course]'", "", 0)
 def notebook(lesson: Lesson, outputs: Sequence[Output] = ()) -> str:
     """The notebook's JSON.  outputs: of each cell, as ``outputs.execute`` returns them; none for an empty notebook.
 
-    What the prediction asks for is folded, the output as the words."""
+    The outputs and the words that answer the prediction are folded."""
     cells = [_cell(INSTALL, Output(), 0)]
     filled = outputs or [Output()] * len(lesson.cells)
     cells += [_cell(cell, output, k) for k, (cell, output) in enumerate(zip(lesson.cells, filled, strict=True), 1)]

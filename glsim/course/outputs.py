@@ -99,7 +99,7 @@ def shown(value: object) -> dict[str, str]:
 
 
 def awaited(lesson: Lesson, outputs: Sequence[Output]) -> set[int]:
-    """The cells, from 0, whose outputs answer a prediction: those behind the question, up to the first that shows."""
+    """The cells, from 0, whose outputs answer a prediction: those behind the question, up to the first figure."""
     found, waiting = set(), False
     for number, (cell, output) in enumerate(zip(lesson.cells, outputs, strict=True)):
         if cell.kind == "markdown":

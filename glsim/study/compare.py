@@ -66,8 +66,8 @@ def compare(
     lobes: rows: "blinn" and/or "phong"; columns too if there are other rows.
     pictures: further columns: paths, or a mapping of names to paths, arrays or PIL images.
     segments, sweep: rows: name of an axis -> its values, as axes.SWEEPABLE lists them: {"shininess": [1, 4, 16]}.  A
-        drawing function is swept by its own parameters.  With two of them, of which the first is the columns, there is
-        one mode.  segments=[8, 16] is short for sweep={"segments": [8, 16]}.
+        drawing function is swept by its own parameters.  Two of them make the columns (the first) and the rows; then
+        there is one mode.  segments=[8, 16] is short for sweep={"segments": [8, 16]}.
     columns: the name of the axis that is to be the columns, if the other way round is wanted.
     reference: the column that differences are taken from (default: the one that the others approximate: radiosity,
         direct, phong, native, gouraud, flat, whichever is there first; of pictures and swept values the first).

@@ -71,7 +71,8 @@ class Comparison:
     # ------------------------------------------------------------ differences
 
     def reference_of(self, row: str) -> str:
-        """The column that a row's differences are taken from: ``reference``, or the truest that has a picture."""
+        """The column that a row's differences are taken from: ``reference``, or, if that has no picture in the
+        row, the truest that has one (looks.truest)."""
         there = self.pictures_of(row)
         return self.reference if self.reference in there else truest(there)
 

@@ -79,7 +79,8 @@ def planned(
     looks: dict[str, Look], lobes: list[str] | None, given: Mapping[str, Any], sweeps: Mapping[str, Any], room: bool,
     parameters: Sequence[str],
 ) -> Plan:  # fmt: skip
-    """Columns are modes and rows lobes, or what is swept; with two sweeps, these are columns and rows."""
+    """The columns are modes; the rows are lobes, or the values of a sweep.  Two sweeps make both: the first the
+    columns."""
     swept = [ax.sweep(name, values, parameters) for name, values in sweeps.items()]
     if len(swept) > 2 or (len(swept) == 2 and (len(looks) > 1 or given or len(lobes or []) > 1)):
         names = ", ".join([*(["mode"] if len(looks) > 1 else []), *(axis.name for axis in swept)])

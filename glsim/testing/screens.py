@@ -22,7 +22,7 @@ class Screens:
     def clean(self, purpose: str, width: int, height: int, samples: int = 0) -> Offscreen:
         """A context with all state as in a new one.  Raises NoDeviceError, ValueError as ``glsim.offscreen`` does.
 
-        purpose: contexts with different purposes are in use at the same time."""
+        purpose: a word; contexts for two purposes can be in use at the same time."""
         screen = self.opened.get((purpose, samples))
         try:
             if screen is not None:

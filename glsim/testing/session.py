@@ -23,8 +23,8 @@ SHOWN = 4  # pictures in a terminal, at most
 class Session:
     """Collects what the tests' reports tell.
 
-    tests: test -> its snapshots.  ran, passed: tests.  whole: files that were collected whole -> their tests.
-    unused: baselines, relative to the root.  lines: what the header says.
+    tests: test -> its snapshots.  ran: tests that ran; passed: those of them that passed.  whole: files that were
+    collected whole -> their tests.  unused: baselines, relative to the root.  lines: what the header says.
     """
 
     def __init__(self, config: pytest.Config, settings: Settings) -> None:

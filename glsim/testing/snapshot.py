@@ -239,7 +239,7 @@ class Snapshot:
             pytest.fail("\n".join(failures), pytrace=False)
 
     def told_beside_another_error(self) -> None:
-        """Where the test ended with an error of its own: its pictures that failed are a section of its report."""
+        """Put the pictures that failed into a section of the test's report, when the test ended with another error."""
         if self._failures:
             self._item.add_report_section("call", "glsim", "\n".join(self._failures))
             self._failures = []
