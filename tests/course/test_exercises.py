@@ -125,8 +125,8 @@ def test_drawing_a_students_frame_again_has_a_time_limit(tmp_path: Path) -> None
     part = next(part for part in one.definition.parts if isinstance(part, Picture))
     with Image.open(one.path.parent / part.name) as expected:
         frame.width, frame.height = expected.size
-    frame.packets *= 1_000_000
+    frame.packets *= 300_000
     alone = replace(one, definition=replace(one.definition, parts=[part]))
-    result = judged(alone, Answers([{}], frame), seconds=3.0)
+    result = judged(alone, Answers([{}], frame), seconds=1.5)
     assert result.points == 0
-    assert "cannot be drawn again within 3 seconds" in result.marks[0].hint
+    assert "cannot be drawn again within 1.5 seconds" in result.marks[0].hint

@@ -9,9 +9,10 @@ from pathlib import Path
 import pytest
 
 from glsim.course.cells import lesson, lessons
-from glsim.course.outputs import Output, execute
+from glsim.course.outputs import Output
 from glsim.course.site import Page, write_site
 from tests.browser import Browser
+from tests.course.executed import outputs_of
 
 DRAWN = ("lambert", "direct_and_radiosity", "linear_system")  # lessons whose figures are drawn here, of each kind
 
@@ -21,7 +22,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """All lessons as pages; the figures only of some."""
     drawn = {lesson(name).name for name in DRAWN}
     pages = [
-        Page(one, execute(one) if one.name in drawn else [Output()] * len(one.cells))
+        Page(one, outputs_of(one.name) if one.name in drawn else [Output()] * len(one.cells))
         for one in lessons()
     ]  # fmt: skip
     folder = tmp_path_factory.mktemp("site")
