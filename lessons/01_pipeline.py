@@ -244,4 +244,4 @@ glsim.compare(
 #
 # ## Exercise
 #
-# Exercise 1: place the camera, then the light.
+# Exercise 1 (lesson 1): place the camera, then the light.

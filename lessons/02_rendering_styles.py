@@ -239,4 +239,4 @@ glsim.compare(
 #
 # ## Exercise
 #
-# Exercise 2: reproduce this picture: wireframe, hidden-line, filled.
+# Exercise 2 (lesson 2): reproduce this picture: wireframe, hidden-line, filled.

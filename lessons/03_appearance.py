@@ -154,4 +154,4 @@ glsim.plots.lobes(
 #
 # ## Exercise
 #
-# Exercise 2: reproduce this picture, with all its styles.
+# Exercise 2 (lesson 2): reproduce this picture, with all its styles.

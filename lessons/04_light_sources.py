@@ -201,4 +201,4 @@ glsim.plots.spot()
 #
 # ## Exercise
 #
-# Exercise 19: attenuation and the spotlight.
+# Exercise 19 (lesson 23): attenuation and the spotlight.

@@ -125,4 +125,4 @@ screen
 #
 # ## Exercise
 #
-# Exercise 4: the reflection vector. Exercise 5: Snell's refraction.
+# Exercise 4 (lesson 9): the reflection vector. Exercise 5 (lesson 5): Snell's refraction.

@@ -184,4 +184,4 @@ glsim.compare(
 #
 # ## Exercise
 #
-# Exercise 6: Phong's $(\mathbf{R} \cdot \mathbf{V})^n$.
+# Exercise 6 (lesson 8): Phong's $(\mathbf{R} \cdot \mathbf{V})^n$.

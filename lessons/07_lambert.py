@@ -131,4 +131,4 @@ glsim.vectors(ball, 300, 170)
 #
 # ## Exercise
 #
-# Exercise 3: write `lambert(N, L)`.
+# Exercise 3 (lesson 7): write `lambert(N, L)`.

@@ -141,4 +141,4 @@ glsim.vectors(scene, 165, 265)
 #
 # ## Exercise
 #
-# Exercise 6: write Phong's (R·V)ⁿ.
+# Exercise 6 (lesson 8): write Phong's (R·V)ⁿ.

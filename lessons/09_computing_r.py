@@ -141,4 +141,4 @@ glsim.vectors(teapot, 200, 290)
 #
 # ## Exercise
 #
-# Exercise 4: write the reflection vector.
+# Exercise 4 (lesson 9): write the reflection vector.

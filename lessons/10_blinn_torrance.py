@@ -196,4 +196,4 @@ screen
 #
 # ## Exercise
 #
-# Exercise 7: write Blinn's (N·H)ⁿ. Exercise 33: write it in GLSL, compiled into the real shader.
+# Exercise 7 (lesson 10): write Blinn's (N·H)ⁿ. Exercise 33 (lesson 10): write it in GLSL, compiled into the real shader.

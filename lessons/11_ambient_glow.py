@@ -134,4 +134,4 @@ glsim.compare(
 #
 # ## Exercise
 #
-# Exercise 8: add the ambient glow, and the sum of all terms.
+# Exercise 8 (lesson 11): add the ambient glow, and the sum of all terms.

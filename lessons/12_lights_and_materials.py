@@ -138,4 +138,4 @@ glsim.compare(
 #
 # ## Exercise
 #
-# Exercise 9: lights and materials, channel by channel.
+# Exercise 9 (lesson 12): lights and materials, channel by channel.

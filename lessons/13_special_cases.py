@@ -164,4 +164,4 @@ screen
 #
 # ## Exercise
 #
-# Exercise 10: clamp, flip, two sides and many lights.
+# Exercise 10 (lesson 13): clamp, flip, two sides and many lights.

@@ -166,4 +166,4 @@ screen
 #
 # ## Exercise
 #
-# Exercise 11: flat shading by hand.
+# Exercise 11 (lesson 14): flat shading by hand.

@@ -144,4 +144,4 @@ glsim.compare(
 #
 # ## Exercise
 #
-# Exercise 12: Gouraud shading by hand.
+# Exercise 12 (lesson 15): Gouraud shading by hand.

@@ -81,7 +81,7 @@ screen
 # shader to the fragment shader:
 
 # %%
-glsim.source("shaders/main.frag", "vec3 N = normalize(eye_normal);")
+glsim.source("shaders/main.frag", "vec3 N = normalize(normal);", lines=2)
 
 # %% [markdown]
 # The division matters. A mean of two unit vectors is shorter than 1, for the tip cuts the corner of the circle. Half-way
@@ -198,4 +198,4 @@ glsim.compare(
 #
 # ## Exercise
 #
-# Exercise 13: Phong shading by hand, and in GLSL.
+# Exercise 13 (lesson 16): Phong shading by hand. Exercise 34 (lesson 16): write it in GLSL, compiled into the real shader.

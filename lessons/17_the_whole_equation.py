@@ -155,4 +155,4 @@ glsim.compare(
 #
 # ## Exercise
 #
-# Exercise 14: mend a program with the classic mistakes.
+# Exercise 14 (lesson 17): mend a program with the classic mistakes.

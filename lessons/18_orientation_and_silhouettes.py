@@ -134,4 +134,4 @@ plots.curves(
 #
 # ## Exercise
 #
-# Exercise 16: mend the T-vertex.
+# Exercise 16 (lesson 20): mend the T-vertex.

@@ -196,4 +196,4 @@ glsim.compare(
 #
 # ## Exercise
 #
-# Exercise 15: hyperbolic interpolation.
+# Exercise 15 (lesson 19): hyperbolic interpolation.

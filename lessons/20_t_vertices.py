@@ -204,4 +204,4 @@ picture.crop((60, 60, 300, 300)).resize((720, 720), 0)  # enlarged three times
 #
 # ## Exercise
 #
-# Exercise 16: mend the T-vertex.
+# Exercise 16 (lesson 20): mend the T-vertex.

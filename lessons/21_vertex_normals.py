@@ -172,11 +172,12 @@ glsim.compare(
 # At 30° the side is round, because there neighbours differ by $360° / 24 = 15°$ only, and the rim is sharp, because
 # side and lid differ by 90°. At 0° every face keeps its own normal: flat shading.
 #
-# For meshes without normals glsim has a simpler rule: one mean for all, and where that is too far from the triangle's
-# own normal, the triangle's own. On a tin with vertices at its rims only, that gives a sharp rim, but a faceted side:
+# glsim makes the normals of meshes that have none in this way, with a crease of 40° and the angles as weights. A simpler
+# rule is one mean for all, and the triangle's own normal where that is too far off. It has a sharp rim, too, but on a tin
+# with vertices at its rims only it gives a faceted side. So it must be asked for each two triangles that meet:
 
 # %%
-glsim.source("scenes/mesh.py", "sharp = np.einsum", lines=2)
+glsim.source("scenes/mesh.py", "near = own[one]", lines=2)
 
 
 # %% What the weights do to the tin that is all smooth: the plain mean and the areas twist the normals of the rim
@@ -243,4 +244,4 @@ for weight in ("equal", "area", "angle"):
 #
 # ## Exercise
 #
-# Exercise 17: vertex normals.
+# Exercise 17 (lesson 21): vertex normals.

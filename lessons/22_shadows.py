@@ -411,4 +411,4 @@ glsim.compare(
 #
 # ## Exercise
 #
-# Exercise 18: planar shadow matrix.
+# Exercise 18 (lesson 22): planar shadow matrix.

@@ -130,4 +130,4 @@ screen
 #
 # ## Exercise
 #
-# Exercise 19: attenuation and spots.
+# Exercise 19 (lesson 23): attenuation and spots.

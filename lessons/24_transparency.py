@@ -139,4 +139,4 @@ screen
 #
 # ## Exercise
 #
-# Exercise 20: the order of blending.
+# Exercise 20 (lesson 24): the order of blending.

@@ -149,4 +149,4 @@ screen
 #
 # ## Exercise
 #
-# Exercise 21: texture and GL_MODULATE.
+# Exercise 21 (lesson 25): texture and GL_MODULATE.

@@ -171,4 +171,4 @@ screen
 #
 # ## Exercise
 #
-# Exercise 22: an area light by many lights.
+# Exercise 22 (lesson 26): an area light by many lights.

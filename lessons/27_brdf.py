@@ -135,4 +135,4 @@ Image.fromarray((255 * np.concatenate(row, axis=1)).astype(np.uint8)).reduce(2)
 #
 # ## Exercise
 #
-# Exercise 23: energy and reciprocity of a BRDF.
+# Exercise 23 (lesson 27): energy and reciprocity of a BRDF.

@@ -151,4 +151,4 @@ glsim.source("shading/terms.py", "def reflection", lines=5)
 #
 # ## Exercise
 #
-# Exercise 24: a ray meets a sphere.
+# Exercise 24 (lesson 28): a ray meets a sphere.

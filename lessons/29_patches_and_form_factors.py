@@ -91,4 +91,4 @@ glsim.source("radiosity/textbook.py", "values[seen] = kernel[seen]")
 #
 # ## Exercise
 #
-# Exercise 25: write the form factor of two patches.
+# Exercise 25 (lesson 29): write the form factor of two patches.

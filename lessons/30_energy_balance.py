@@ -109,4 +109,4 @@ box.picture(500)
 #
 # ## Exercise
 #
-# Exercise 26: use reciprocity, and check the energy balance of a room.
+# Exercise 26 (lesson 30): use reciprocity, and check the energy balance of a room.

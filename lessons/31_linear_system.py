@@ -104,4 +104,4 @@ print("solved by numpy:", np.linalg.solve(M, cube.patches.E[:, 0]).round(4))
 #
 # ## Exercise
 #
-# Exercise 27: assemble the n x n system.
+# Exercise 27 (lesson 31): assemble the n x n system.

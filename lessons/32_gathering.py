@@ -127,4 +127,4 @@ plots.curves(
 #
 # ## Exercise
 #
-# Exercise 28: Jacobi's iteration. Exercise 29: Gauss-Seidel's. Exercise 30: shooting.
+# Exercise 28 (lesson 32): Jacobi's iteration. Exercise 29 (lesson 32): Gauss-Seidel's. Exercise 30 (lesson 32): shooting.

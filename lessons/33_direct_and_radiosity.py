@@ -88,4 +88,4 @@ box.picture(480, colors=np.repeat(np.clip(share, 0, 1)[:, None], 3, axis=1))
 #
 # ## Exercise
 #
-# Exercise 32: read the numbers of direct light and radiosity.
+# Exercise 32 (lesson 33): read the numbers of direct light and radiosity.

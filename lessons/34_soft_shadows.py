@@ -123,4 +123,4 @@ tiles("", [row], 400)
 #
 # ## Exercise
 #
-# Exercise 31: vertex colours from patches.
+# Exercise 31 (lesson 35): vertex colours from patches.

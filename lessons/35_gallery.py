@@ -97,4 +97,4 @@ museum.beside_direct(440)
 #
 # ## Exercise
 #
-# Exercise 31: vertex colours from patches.
+# Exercise 31 (lesson 35): vertex colours from patches.

@@ -31,6 +31,13 @@ layout(location = 0) out vec4 fragment_color;
 
 float covered = 1.0;    // how much of the pixel a smooth line or point covers; it multiplies the fragment's alpha
 
+// Phong shading.  normal: what is interpolated between the unit normals of the vertices, and shorter than they are
+void phong_shading(Face face, vec3 normal, vec3 P, out vec4 color, out vec3 highlight)
+{
+    vec3 N = normalize(normal);
+    shade(face, N, P, color, highlight);
+}
+
 void main()
 {
 #if CLIPPING && defined(GL_ES)
@@ -45,9 +52,9 @@ void main()
     vec3 highlight = back ? back_highlight : front_highlight;
     if (LIGHTING && PER_FRAGMENT) {
         Material material = materials[object_row];
-        vec3 N = normalize(eye_normal);
-        if (back) shade(track(material.back, vertex_color, BACK_TRACKS), -N, eye_position, color, highlight);
-        else shade(track(material.front, vertex_color, FRONT_TRACKS), N, eye_position, color, highlight);
+        Face face = back ? track(material.back, vertex_color, BACK_TRACKS)
+                         : track(material.front, vertex_color, FRONT_TRACKS);
+        phong_shading(face, back ? -eye_normal : eye_normal, eye_position, color, highlight);
     }
 
 #if PIXELS == PIXELS_COLOR

@@ -58,9 +58,9 @@ def statements(nodes: Iterable[ast.AST]) -> Iterator[ast.Import | ast.ImportFrom
     for node in nodes:
         if isinstance(node, ast.Import | ast.ImportFrom):
             yield node
-        elif isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
+        elif isinstance(node, ast.If) and getattr(node.test, "id", getattr(node.test, "attr", "")) == "TYPE_CHECKING":
             yield from statements(node.orelse)
-        else:
+        elif not isinstance(node, ast.expr):
             yield from statements(ast.iter_child_nodes(node))
 
 

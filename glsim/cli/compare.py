@@ -67,12 +67,18 @@ def _add_axes(p: argparse.ArgumentParser) -> None:
                    help="columns: wireframe, hidden-line, unlit, flat, gouraud, phong, native, pyrender, direct,"
                    " radiosity (default: flat,gouraud,phong); flat, gouraud, phong and native with any of :blinn or"
                    " :phong and :clamp, :flip or :two-sided, as in phong:blinn:flip")  # fmt: skip
-    p.add_argument("--lobe", metavar="A,B", help="rows: blinn (N.H)^n, phong (R.V)^n (default: both)")
+    p.add_argument("--lobe", metavar="A,B",
+                   help="rows: blinn (N.H)^n, phong (R.V)^n (default: both; blinn beside native and"
+                   " pyrender, which have one)")  # fmt: skip
     p.add_argument("--segments", metavar="N,N,...", help="rows: how finely a built-in scene is cut, as in 8,16,32")
     p.add_argument("--sweep", metavar="NAME=VALUES", action="append", default=[],
                    help="rows: what else changes, see below")  # fmt: skip
     p.add_argument("--columns", metavar="AXIS", help="the axis that is the columns (mode, lobe or a swept name)")
-    p.add_argument("--reference", metavar="MODE", help="the column that differences are taken from")
+    p.add_argument(
+        "--reference", metavar="MODE",
+        help="the column that differences are taken from (default: the one that the others approximate:"
+        " radiosity, direct, phong, native, gouraud, flat; of pictures and swept values the first)",
+    )  # fmt: skip
 
 
 def _add_scene(p: argparse.ArgumentParser) -> None:
@@ -101,7 +107,8 @@ def _add_output(p: argparse.ArgumentParser) -> None:
     p.add_argument("--frames", type=count, default=36, metavar="N", help="pictures of the animation (default: 36)")
     p.add_argument("--layout", choices=("screen", "projector", "paper"), default="screen",
                    help="the sheet as large as its pictures, 16:9 or A4 (default: screen)")  # fmt: skip
-    p.add_argument("--differences", default="x4", metavar="xN|off", help="amplified N times (default: x4)")
+    p.add_argument("--differences", default="auto", metavar="xN|off",
+                   help="amplified N times (default: as often as the largest needs to become white)")  # fmt: skip
     p.add_argument("--title", metavar="TEXT", help="of the sheet")
     p.add_argument("--caption", metavar="NAME=TEXT", action="append", default=[],
                    help="words for a column or row, as in gouraud='as in 1971'; may be repeated")  # fmt: skip
@@ -190,11 +197,14 @@ def _told(result: Comparison, outputs: list[str], as_json: bool) -> int:
     from rich.text import Text
 
     rows = result.metrics
+    several = {row["reference"] for row in rows} != {result.reference}  # in a row that has no picture of the reference
     table = Table(title=Text(f"{result.title}: difference from {result.reference}, in 1/255"))
-    for heading in (name for name in rows[0] if name != "reference"):
-        table.add_column(heading, justify="left" if heading in (result.rows.name, result.columns.name) else "right")
+    shown = [name for name in rows[0] if name != "reference" or several]
+    words = (result.rows.name, result.columns.name, "reference")
+    for heading in shown:
+        table.add_column(heading, justify="left" if heading in words else "right")
     for row in rows:
-        table.add_row(*(_shown(value) for name, value in row.items() if name != "reference"))
+        table.add_row(*(_shown(row[name]) for name in shown))
     console().print(table)
     print(f"wrote {', '.join(outputs)}")
     for note in result.notes:

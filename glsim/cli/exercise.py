@@ -63,7 +63,8 @@ def _list(options: argparse.Namespace) -> int:
     for one in known:
         reached = solved.get(one.name)
         state = "solved" if reached == one.points else f"{reached} of {one.points}" if reached is not None else ""
-        print(f"{one.number:3}  {one.title:48} lesson {one.definition.lesson:2}  {state}".rstrip())
+        name = f"{one.title} (lesson {one.definition.lesson})"
+        print(f"{one.number:3}  {name:60} {state}".rstrip())
     return 0
 
 
@@ -74,7 +75,7 @@ def _show(options: argparse.Namespace) -> int:
     if options.json:
         print(json.dumps({"status": "ok", "exercise": one.name, "title": one.title, "statement": one.statement}))
         return 0
-    console().print(markdown(f"# {one.number}. {one.title}\n\n{one.statement}"))
+    console().print(markdown(f"# {one.heading}\n\n{one.statement}"))
     return 0
 
 

@@ -21,11 +21,13 @@ def add(commands: Any) -> None:
     verbs = p.add_subparsers(title="commands", required=True, metavar="COMMAND")
 
     listed = verbs.add_parser("list", help="all lessons in the lecture's order")
-    shown = verbs.add_parser("show", help="print a lesson")
+    shown = verbs.add_parser("show", help="print a lesson; predict first, then see its answers with --answers")
     run = verbs.add_parser("run", help="run a lesson and write its figures")
     export = verbs.add_parser("export", help="run lessons and write them as pages or notebooks")
     for verb in (shown, run):
         verb.add_argument("lesson", metavar="N", help="a number, a name such as lambert, or a file")
+    shown.add_argument("--answers", action="store_true",
+                       help="print also what you should see and the answers to questions (--json has all)")  # fmt: skip
     export.add_argument("lessons", metavar="N", nargs="*", help="which lessons (default: all)")
     run.add_argument("-o", "--output", metavar="DIR", default="figures", help="for the figures (default: %(default)s)")
     export.add_argument("--html", metavar="DIR", help="write a site: index.html and a page for each lesson")
@@ -51,7 +53,7 @@ def _list(options: argparse.Namespace) -> int:
 
 
 def _show(options: argparse.Namespace) -> int:
-    from glsim.course.cells import lesson
+    from glsim.course.cells import lesson, unanswered
 
     chosen = lesson(options.lesson)
     if options.json:
@@ -62,10 +64,13 @@ def _show(options: argparse.Namespace) -> int:
 
     out = console()
     for cell in chosen.cells:
-        out.print(
-            markdown(cell.source) if cell.kind == "markdown" else Syntax(cell.source, "python", theme="ansi_dark")
-        )
+        if cell.kind == "markdown":
+            out.print(markdown(cell.source if options.answers else unanswered(cell.source)))
+        else:
+            out.print(Syntax(cell.source, "python", theme="ansi_dark"))
         out.print()
+    if not options.answers:
+        out.print(f"With the answers, and what you should see: glsim lesson show {options.lesson} --answers")
     return 0
 
 

@@ -21,9 +21,11 @@ def add(commands: Any) -> None:
         ("clean", _clean, "remove the baselines that no test used"),
     ):
         part = parts.add_parser(name, help=says)
-        part.add_argument("folder", metavar="DIR", type=Path, help="the report's folder")
+        part.add_argument("folder", metavar="DIR", type=Path, nargs="?", default=Path("gl-report"),
+                          help="the report's folder (default: %(default)s, here)")  # fmt: skip
         if name != "clean":
-            part.add_argument("tests", metavar="TEST", nargs="*", help="only these, such as 'test_ball.py::*'")
+            part.add_argument("tests", metavar="TEST", nargs="*",
+                              help="behind DIR: only these, such as 'test_ball.py::*'")  # fmt: skip
         if name != "list":
             part.add_argument("--root", type=Path, default=Path(), metavar="DIR", help="the project (default: here)")
         if name == "approve":

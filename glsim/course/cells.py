@@ -25,6 +25,8 @@ from glsim.names import did_you_mean
 MARKER = re.compile(r"# %%(?P<title>.*)")
 NAME = re.compile(r"(?P<number>\d\d)_(?P<topic>\w+)\.py")
 MARKDOWN = "[markdown]"
+PREDICTION = re.compile(r"^## Predict\b", re.MULTILINE)
+ANSWER = re.compile(r"^## What you should see\n+(.*?)\n*(?=^## |\Z)", re.MULTILINE | re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,16 @@ class Cell:
     source: str
     title: str
     line: int
+
+
+def folded(source: str) -> str:
+    """A cell's Markdown with the answer to the prediction folded into <details>, as the answers to questions are."""
+    return ANSWER.sub(r'<details class="answer"><summary>What you should see</summary>\n\n\1\n\n</details>\n\n', source)
+
+
+def unanswered(source: str) -> str:
+    """A cell's Markdown with dots in place of every answer: that to the prediction, and those to questions."""
+    return re.sub(r"<details.*?<summary>(.*?)</summary>.*?</details>", r"*\1: …*", folded(source), flags=re.DOTALL)
 
 
 @dataclass(frozen=True)

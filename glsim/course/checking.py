@@ -38,23 +38,30 @@ class Result:
 
 
 def check(exercise: Exercise, file: Path, isolation: Isolation | None = None, seconds: float = SECONDS) -> Result:
-    """Judge a student's file.  isolation: none for the student's own machine.  seconds: that the file may run.
+    """Judge a student's file.  isolation: none for the student's own machine.  seconds: that the file
+    may run, and again that redrawing its picture may take.
 
     Raises FileNotFoundError if there is no such file."""
     isolation = isolation or Separate()
-    return judged(exercise, ask(exercise, file, isolation, seconds), isolation.name)
+    return judged(exercise, ask(exercise, file, isolation, seconds), isolation, seconds)
 
 
-def judged(exercise: Exercise, answers: Answers, isolation: str = Separate.name) -> Result:
-    """The marks for a file's answers.  isolation: the name of that in which the file ran."""
+def judged(
+    exercise: Exercise, answers: Answers, isolation: Isolation | None = None, seconds: float = SECONDS
+) -> Result:
+    """The marks for a file's answers.  isolation: in which the file ran, and in which its picture is redrawn.
+    seconds: that redrawing may take."""
+    isolation = isolation or Separate()
     marks = tuple(
-        _judge(exercise, part, answer, answers)
+        _judge(exercise, part, answer, answers, isolation, seconds)
         for part, answer in zip(exercise.definition.parts, answers.values, strict=True)
     )
-    return Result(exercise, marks, answers.printed, answers.note, isolation)
+    return Result(exercise, marks, answers.printed, answers.note, isolation.name)
 
 
-def _judge(exercise: Exercise, part: Part, answer: dict[str, object], answers: Answers) -> Mark:
+def _judge(
+    exercise: Exercise, part: Part, answer: dict[str, object], answers: Answers, isolation: Isolation, seconds: float
+) -> Mark:
     if isinstance(part, Call):
         return judge_call(part, answer)
     if isinstance(part, Value):
@@ -67,7 +74,7 @@ def _judge(exercise: Exercise, part: Part, answer: dict[str, object], answers: A
         return failed(part, answer)
     if isinstance(part, Drawn):
         return _judge_frame(part, answers.frame)
-    return _judge_picture(exercise, part, answers.frame)
+    return _judge_picture(exercise, part, answers.frame, isolation, seconds)
 
 
 def _judge_frame(part: Drawn, frame: Frame) -> Mark:
@@ -78,16 +85,19 @@ def _judge_frame(part: Drawn, frame: Frame) -> Mark:
         return mark(part, f"what the program draws cannot be judged ({error}): is a scale 0, or a number not finite?")
 
 
-def _judge_picture(exercise: Exercise, part: Picture, frame: Frame) -> Mark:
-    """Redraw the Frame here and compare it with the picture beside the exercise, by the rule for other renderers."""
-    from glsim.render.context import drawn
+def _judge_picture(exercise: Exercise, part: Picture, frame: Frame, isolation: Isolation, seconds: float) -> Mark:
+    """Redraw the Frame and compare it with the picture beside the exercise, by the rule for other renderers."""
+    from glsim.course.redrawing import RedrawError, redrawn
     from glsim.testing.rule import broken
 
     expected = np.asarray(Image.open(exercise.path.parent / part.name).convert("RGB"))
     height, width = expected.shape[:2]
     if (frame.width, frame.height) != (width, height):
         return mark(part, f"the picture has {frame.width} x {frame.height} pixels, and {width} x {height} are expected")
-    actual = np.ascontiguousarray(drawn(frame)[..., :3])
+    try:
+        actual = redrawn(frame, isolation, seconds)
+    except RedrawError as error:
+        return mark(part, str(error))
     return mark(part, part.hint if broken(expected, actual) else "", expected=expected, actual=actual)
 
 

@@ -39,8 +39,9 @@ class Call:
     """A part: a function of the student's file is called with each of ``arguments`` and compared with ``expected``.
 
     about: what the part asks, as in "the cosine of the angle".  arguments: tuples, many of them random, so that no list
-    of results passes.  expected: the right function.  tolerance: relative to the largest expected number, at least 1.
-    hint: when the values are wrong and no mistake is recognised."""
+    of results passes.  expected: the right function.  tolerance: the largest error that passes, as a share of the
+    largest expected number, or of 1 if that is larger.  hint: when the values are wrong and no mistake is
+    recognised."""
 
     about: str
     function: str
@@ -78,8 +79,8 @@ class Drawn:
 
 @dataclass(frozen=True)
 class Picture:
-    """A part of a program that draws: its picture, redrawn from its Frame here, must be that of the file ``name``
-    beside the exercise.  hint: when it differs."""
+    """A part of a program that draws: its picture, redrawn from its Frame (redrawing.py), must be that of the
+    file ``name`` beside the exercise.  hint: when it differs."""
 
     about: str
     name: str
@@ -138,6 +139,11 @@ class Exercise:
     @property
     def title(self) -> str:
         return self.definition.title
+
+    @property
+    def heading(self) -> str:
+        """What the exercise is called wherever it is named: exercises and lessons have numbers of their own."""
+        return f"Exercise {self.number} (lesson {self.definition.lesson}): {self.title}"
 
     @cached_property
     def points(self) -> int:

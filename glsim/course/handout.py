@@ -17,11 +17,11 @@ WIDTH = 96  # columns of the statement
 def starter(exercise: Exercise) -> str:
     """The text of the file that a student begins with: the statement as a comment, then the starter."""
     mark = "//" if exercise.definition.ending == ".glsl" else "#"
-    lines = [f"{exercise.number}. {exercise.title}", ""]
+    lines = [exercise.heading, ""]
     for paragraph in exercise.statement.split("\n\n"):
         filled = textwrap.wrap(" ".join(paragraph.split()), WIDTH, break_long_words=False, break_on_hyphens=False)
         lines += [*(paragraph.split("\n") if paragraph.startswith(("-", "    ", "|")) else filled), ""]
-    lines += [f"Lesson {exercise.definition.lesson}.  Check with: glsim exercise check {exercise.filename}"]
+    lines += [f"Check with: glsim exercise check {exercise.filename}"]
     return "\n".join(f"{mark} {line}".rstrip() for line in lines) + "\n\n" + exercise.definition.starter
 
 
@@ -59,7 +59,7 @@ def hints(exercise: Exercise) -> list[str]:
 
 
 def progress_file() -> Path:
-    """Where it is written which exercises are solved: $XDG_STATE_HOME/glsim/exercises.json, or below ~/.local/state."""
+    """The file that says which exercises are solved: $XDG_STATE_HOME/glsim/exercises.json, or below ~/.local/state."""
     base = os.environ.get("XDG_STATE_HOME") or os.path.join(os.path.expanduser("~"), ".local", "state")
     return Path(base) / "glsim" / "exercises.json"
 

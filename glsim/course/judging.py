@@ -110,7 +110,8 @@ def words(shape: tuple[int, ...]) -> str:
 
 
 def agree(actual: list[Numbers], expected: list[Numbers], tolerance: float) -> bool:
-    """Whether all numbers are equal up to ``tolerance``, relative to the largest expected one (at least to 1)."""
+    """Whether no number is off by more than ``tolerance`` times the largest expected number, or times 1 if that is
+    more."""
     for a, b in zip(actual, expected, strict=True):
         if a.squeeze().shape != b.squeeze().shape:
             return False

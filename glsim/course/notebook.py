@@ -6,17 +6,21 @@ import json
 from collections.abc import Sequence
 from typing import Any
 
-from glsim.course.cells import Cell, Lesson
-from glsim.course.outputs import Output
+from glsim.course.cells import Cell, Lesson, folded
+from glsim.course.outputs import Output, awaited
 
 INSTALL = Cell("code", "%pip install -q 'glsim[course]'", "", 0)
 
 
 def notebook(lesson: Lesson, outputs: Sequence[Output] = ()) -> str:
-    """The notebook's JSON.  outputs: of each cell, as ``outputs.execute`` returns them; none for an empty notebook."""
+    """The notebook's JSON.  outputs: of each cell, as ``outputs.execute`` returns them; none for an empty notebook.
+
+    The outputs and the words that answer the prediction are folded."""
     cells = [_cell(INSTALL, Output(), 0)]
     filled = outputs or [Output()] * len(lesson.cells)
     cells += [_cell(cell, output, k) for k, (cell, output) in enumerate(zip(lesson.cells, filled, strict=True), 1)]
+    for number in awaited(lesson, filled):
+        cells[number + 1]["metadata"] = {"jupyter": {"outputs_hidden": True}}
     language = {"name": "python", "version": "3"}
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     document = {"cells": cells, "metadata": {"kernelspec": kernel, "language_info": language}}
@@ -24,7 +28,8 @@ def notebook(lesson: Lesson, outputs: Sequence[Output] = ()) -> str:
 
 
 def _cell(cell: Cell, output: Output, number: int) -> dict[str, Any]:
-    common = {"id": f"cell-{number}", "metadata": {}, "source": cell.source.splitlines(keepends=True)}
+    source = folded(cell.source) if cell.kind == "markdown" else cell.source
+    common = {"id": f"cell-{number}", "metadata": {}, "source": source.splitlines(keepends=True)}
     if cell.kind == "markdown":
         return {"cell_type": "markdown", **common}
     outputs: list[dict[str, Any]] = []

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from glsim.course.cells import Cell, Lesson
+from glsim.course.cells import PREDICTION, Cell, Lesson
 from glsim.files import write_bytes
 from glsim.machine.current import current_again
 
@@ -96,6 +96,18 @@ def shown(value: object) -> dict[str, str]:
         if content is not None:
             contents[kind] = b64encode(content).decode("ascii") if isinstance(content, bytes) else str(content)
     return {**contents, "text/plain": repr(value)}
+
+
+def awaited(lesson: Lesson, outputs: Sequence[Output]) -> set[int]:
+    """The cells, from 0, whose outputs answer a prediction: those behind the question, up to the first figure."""
+    found, waiting = set(), False
+    for number, (cell, output) in enumerate(zip(lesson.cells, outputs, strict=True)):
+        if cell.kind == "markdown":
+            waiting = bool(PREDICTION.search(cell.source))
+        elif waiting:
+            found.add(number)
+            waiting = not output.shown
+    return found
 
 
 def write_figures(folder: Path, lesson: Lesson, outputs: Sequence[Output]) -> list[Path]:

@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 from string import Template
 
-from glsim.course.cells import Cell, Lesson
+from glsim.course.cells import PREDICTION, Cell, Lesson, folded
 from glsim.course.markdown import html, mathml
-from glsim.course.outputs import FILE_ENDINGS, Output, write_figures
+from glsim.course.outputs import FILE_ENDINGS, Output, awaited, write_figures
 from glsim.course.source import highlighted
 from glsim.files import write_bytes, write_text
 
 TEMPLATES = Path(__file__).parent / "assets"
 ASSETS = ("course.css", "course.js", "STIXTwoMath.woff2", "STIXTwoMath-LICENSE.txt")
-PREDICTION = re.compile(r"^## Predict\b", re.MULTILINE)
+UNTOLD = '<span class="untold" aria-hidden="true">?</span>'  # for a lesson whose only picture is its prediction's
 
 
 @dataclass(frozen=True)
@@ -36,28 +35,29 @@ def write_site(folder: Path, pages: Sequence[Page]) -> list[Path]:
     (folder / "assets").mkdir(parents=True, exist_ok=True)
     for name in ASSETS:
         write_bytes(folder / "assets" / name, (TEMPLATES / name).read_bytes())
-    figures = {page.lesson.name: write_figures(folder / "figures", page.lesson, page.outputs) for page in pages}
     written = []
     for number, page in enumerate(pages):
+        write_figures(folder / "figures", page.lesson, page.outputs)
         path = folder / f"{page.lesson.name}.html"
         before = pages[number - 1].lesson if number else None
         after = pages[number + 1].lesson if number + 1 < len(pages) else None
         write_text(path, _lesson(page, [p.lesson for p in pages], before, after))
         written.append(path)
     index = folder / "index.html"
-    write_text(index, _index(pages, figures))
+    write_text(index, _index(pages))
     return [index, *written]
 
 
-def _index(pages: Sequence[Page], figures: dict[str, list[Path]]) -> str:
+def _index(pages: Sequence[Page]) -> str:
     cards = []
     for page in pages:
         lesson = page.lesson
-        picture = next(iter(figures[lesson.name]), None)
-        image = f'<img src="figures/{picture.name}" alt="" loading="lazy">' if picture else ""
+        untold = awaited(lesson, page.outputs)
+        shown = [name for number, name in enumerate(_pictures(page)) if name and number not in untold]
+        image = f'<img src="{shown[0]}" alt="" loading="lazy">' if shown else UNTOLD
         cards.append(
             f'<li><a href="{lesson.name}.html">{image}<strong>{lesson.number}. {escape(lesson.title)}</strong>'
-            f"<span>{_plain(lesson.about)}</span></a></li>"
+            f'<span class="about">{_plain(lesson.about)}</span></a></li>'
         )
     body = f'<h1>How light becomes pixels</h1><ol class="cards">{"".join(cards)}</ol>'
     return _filled("How light becomes pixels", "index", "", body, "")
@@ -70,11 +70,8 @@ def _lesson(page: Page, all_: Sequence[Lesson], before: Lesson | None, after: Le
         f"{escape(one.title)}</a></li>"
         for one in all_
     )
-    sections = []
-    awaiting = False  # whether the next figure is hidden until its question is answered
-    for number, (cell, output) in enumerate(zip(lesson.cells, page.outputs, strict=True)):
-        sections.append(_section(lesson, cell, output, number, awaiting))
-        awaiting = bool(PREDICTION.search(cell.source)) if cell.kind == "markdown" else awaiting and not output.shown
+    untold = awaited(lesson, page.outputs)
+    sections = [_section(page, k, picture, k in untold) for k, picture in enumerate(_pictures(page))]
     around = "".join(
         f'<a class="{word}" rel="{word}" href="{other.name}.html">{escape(other.title)}</a>'
         for word, other in (("prev", before), ("next", after))
@@ -93,29 +90,37 @@ def _filled(title: str, kind: str, contents: str, body: str, around: str) -> str
 # ---------------------------------------------------------------- the cells of a page
 
 
-def _section(lesson: Lesson, cell: Cell, output: Output, number: int, awaiting: bool) -> str:
+def _pictures(page: Page) -> list[str]:
+    """For each cell the address of the picture that it shows; "" if it shows none."""
+    return [
+        next((f"figures/{page.lesson.name}-{k}{end}" for kind, end in FILE_ENDINGS.items() if kind in output.shown), "")
+        for k, output in enumerate(page.outputs)
+    ]
+
+
+def _section(page: Page, number: int, picture: str, untold: bool) -> str:
+    cell, output = page.lesson.cells[number], page.outputs[number]
     if cell.kind == "markdown":
         kind = "predict" if PREDICTION.search(cell.source) else "prose"
-        return f'<section class="cell {kind}">{html(cell.source)}</section>'
+        return f'<section class="cell {kind}">{html(folded(cell.source))}</section>'
     quoted = cell.source.startswith("glsim.source(")  # the lines of source alone are shown, not the call
     code = "" if quoted else highlighted(cell.source, "python")
     printed = f'<pre class="printed">{escape(output.printed)}</pre>' if output.printed else ""
-    figure = _figure(lesson, cell, output, number) if output.shown else ""
-    result = f'<div class="result{" awaiting" if awaiting and figure else ""}">{printed}{figure}</div>'
-    return f'<section class="cell code">{code}{result if printed or figure else ""}</section>'
+    result = printed + (_figure(page.lesson, cell, output, picture) if output.shown else "")
+    if result and untold:
+        result = f'<details class="answer"><summary>Predict first, then look</summary>{result}</details>'
+    return f'<section class="cell code">{code}{result}</section>'
 
 
-def _figure(lesson: Lesson, cell: Cell, output: Output, number: int) -> str:
+def _figure(lesson: Lesson, cell: Cell, output: Output, picture: str) -> str:
     """What a cell shows: a live element, a picture in a file of its own, a formula or text."""
     caption = f"<figcaption>{_plain(cell.title)}</figcaption>" if cell.title else ""
     if "text/html" in output.shown:
         content = output.shown["text/html"]
         return content if content.startswith("<figure") else f'<figure class="live">{content}{caption}</figure>'
-    for kind, ending in FILE_ENDINGS.items():
-        if kind in output.shown:
-            alternative = escape(cell.title or f"Figure of {lesson.title}", quote=True)
-            name = f"figures/{lesson.name}-{number}{ending}"
-            return f'<figure class="picture"><img src="{name}" alt="{alternative}" loading="lazy">{caption}</figure>'
+    if picture:
+        alternative = escape(cell.title or f"Figure of {lesson.title}", quote=True)
+        return f'<figure class="picture"><img src="{picture}" alt="{alternative}" loading="lazy">{caption}</figure>'
     if "text/latex" in output.shown:
         return f'<figure class="formula">{mathml(output.shown["text/latex"].strip().strip("$"))}{caption}</figure>'
     return f'<pre class="printed">{escape(output.shown["text/plain"])}</pre>'

@@ -153,7 +153,7 @@ def _datetime(seconds: Callable[[], float]) -> ModuleType:
     import datetime as real
 
     class Like(type):
-        """isinstance and issubclass take the real class for this one."""
+        """The class of a stand-in, which isinstance and issubclass take for the real class."""
 
         def __instancecheck__(cls, instance: object) -> bool:
             return isinstance(instance, cls.__mro__[1])

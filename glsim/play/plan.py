@@ -16,8 +16,8 @@ class Plan:
     out: folder for pictures, None for none.  frames: number of steps.  events: one for each step from the second on.
     real_time: the real clock; else time stands still in a step.  count: count the calls of each command.
     python2: convert programs of Python 2.  capture_calls: record the calls in the captured Frame.  capture_each: the
-    Frames of all steps, in files whose names end in -0, -1, ...  most_calls: capture
-    the first picture, not the last, and none if it takes more calls than that.  clicked: "module:function", called with
+    Frames of all steps, in files whose names end in -0, -1, ...  most_calls: if given, the Frame of the first picture
+    is captured instead of the last, if it takes no more calls than these.  clicked: "module:function", called with
     (Frame, x, y) when a pixel of a real window is clicked."""
 
     script: str

@@ -25,7 +25,9 @@ Wrap = Callable[[str, Any], Any]
 
 
 def install(wrap: Wrap | None = None) -> None:
-    """From now on ``import OpenGL`` gives glsim.  wrap(name, function) -> the function that replaces a command."""
+    """From now on ``import OpenGL`` gives glsim.
+
+    wrap: called with the name and the function of each command, returns the function that takes its place."""
     for name in [name for name in sys.modules if name == "OpenGL" or name.startswith("OpenGL.")]:
         del sys.modules[name]
     sys.meta_path.insert(0, _Finder(wrap or (lambda name, function: function)))

@@ -16,7 +16,8 @@ WHOLE = gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
 
 
 def reshaded(shade: str | None, lobe: str | None) -> Callable[[Draw], Draw] | None:
-    """A function draw -> draw under another shading mode (see ``shaded``) and lobe; None if both are None.
+    """A function that takes a Draw and returns it under another shading mode (see ``shaded``) and lobe; None if both
+    arguments are None, because then nothing changes.
 
     shade None keeps the program's shade model; lobe None is "blinn"."""
     if shade is None and lobe is None:

@@ -30,7 +30,7 @@ REPORTABLE = ("running", "ok", "gl-error", "python-error", "no-window")  # the s
 
 
 def events_from(keys: str, events: str) -> list[str]:
-    """--keys and --events as one list.  Raises ValueError for an event that is none."""
+    """--keys and --events as one list.  Raises ValueError for words that are no event."""
     from glsim.glut.loop import EVENTS, key
 
     listed = [f"key {'space' if letter == ' ' else letter}" for letter in keys] + [
@@ -162,7 +162,8 @@ def _prepare(out: Path) -> None:
 
 
 def read_report(path: str) -> dict[str, Any]:
-    """What the process of a program wrote of its run, or an empty report if that is not of the form of play.Record."""
+    """What the process of a program wrote about its run; an empty report if the file has not the fields of
+    plan.Record."""
     empty = asdict(Record())
     try:
         report = json.loads(read_regular(path, MOST_REPORT), parse_constant=_no_number)

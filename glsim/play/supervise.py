@@ -52,7 +52,7 @@ def supervised(
 
     stdout, stderr: file descriptors for its output.  scratch: a folder to be removed if the caller is killed.
     When its time is up, the command gets SIGUSR2 and a moment to write down where it is.
-    An exception that comes while it runs (KeyboardInterrupt) goes on after the command was ended.
+    An exception that comes meanwhile, such as KeyboardInterrupt, is raised again when the command has been ended.
     """
     mark = uuid.uuid4().hex
     environment = {**environment, MARK: mark}

@@ -112,8 +112,8 @@ SWEEPABLE = {
 def sweep(name: str, given: Any, parameters: Iterable[str] = ()) -> Axis:
     """An axis of values.
 
-    given: the values, or one of them, or their text as on the command line.  parameters: names that the source takes
-    besides those of SWEEPABLE: of a drawing function.
+    given: the values, or one of them, or their text as on the command line.  parameters: of a drawing function; it can
+    be swept by these as by the names of SWEEPABLE.
     Raises ValueError for an unknown name, a value that cannot be, or the same value twice.
     """
     known = {**SWEEPABLE, **{own: Sweepable(str, label=own + " = {}") for own in parameters}}

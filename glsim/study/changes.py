@@ -35,7 +35,7 @@ def changed(frame: Frame, wanted: Sequence[ChangeOf]) -> tuple[Frame, list[Chang
 
 
 def changed_calls(calls: Sequence[Call], changes: Sequence[Change]) -> list[Call]:
-    """The calls with the values of the changes from the beginning on, and without those that would set others.
+    """The calls that make the changes, then the recorded ones without those that would set the same state anew.
 
     At the beginning the modelview matrix is the identity: positions of lights are in eye space."""
     first = [call for change in changes for call in change.calls]
@@ -107,7 +107,8 @@ def _set_light(number: int, parameters: dict[str, Any]) -> Change:
 
 
 def light(lamp: Lamp) -> ChangeOf:
-    """The first light where ``lamp`` is; its cone, attenuation and brightness too where the lamp has any."""
+    """The first light is put where ``lamp`` is, and takes its cone, attenuation and brightness where the lamp has
+    any."""
 
     def of(frame: Frame) -> Change:
         number, _, middle = first_light(frame)

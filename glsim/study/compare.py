@@ -11,7 +11,7 @@ from glsim.scenes.staging import Camera, Lamp, camera_of, lamp_of
 from glsim.study.axes import animation
 from glsim.study.comparison import Comparison as Comparison
 from glsim.study.given import Given, are_given, pictures_of
-from glsim.study.looks import OUTLINES, RADIOSITY
+from glsim.study.looks import OUTLINES, RADIOSITY, truest
 from glsim.study.plan import Plan, lobes_of, looks_of, planned
 from glsim.study.sheet import LAYOUTS
 from glsim.study.sources import Source, Wanted, is_radiosity, parameters_of, source_of
@@ -33,7 +33,7 @@ def compare(
     sweep: Mapping[str, Any] | None = None,
     columns: str | None = None,
     reference: str | None = None,
-    differences: str | int = "x4",
+    differences: str | int = "auto",
     layout: str = "screen",
     title: str | None = None,
     captions: Mapping[str, str] | None = None,
@@ -66,11 +66,13 @@ def compare(
     lobes: rows: "blinn" and/or "phong"; columns too if there are other rows.
     pictures: further columns: paths, or a mapping of names to paths, arrays or PIL images.
     segments, sweep: rows: name of an axis -> its values, as axes.SWEEPABLE lists them: {"shininess": [1, 4, 16]}.  A
-        drawing function is swept by its own parameters.  With two of them, of which the first is the columns, there is
-        one mode.  segments=[8, 16] is short for sweep={"segments": [8, 16]}.
+        drawing function is swept by its own parameters.  Two of them make the columns (the first) and the rows; then
+        there is one mode.  segments=[8, 16] is short for sweep={"segments": [8, 16]}.
     columns: the name of the axis that is to be the columns, if the other way round is wanted.
-    reference: the column that differences are taken from (default: the first that is lit).
-    differences: "x8": eight times amplified, or "off".  layout: "screen", "projector" (16:9) or "paper" (A4).
+    reference: the column that differences are taken from (default: the one that the others approximate: radiosity,
+        direct, phong, native, gouraud, flat, whichever is there first; of pictures and swept values the first).
+    differences: "x8": eight times amplified; "auto": as often as the largest needs to become white; or "off".
+    layout: "screen", "projector" (16:9) or "paper" (A4).
     title, captions: words for the sheet, and for columns and rows by name.
     size: of each picture, in pixels (default 512, or as a program asks).
     samples: multisampling, 0 for none, None for what suits: 4, or 0 where exact pixels are compared.
@@ -90,7 +92,6 @@ def compare(
     sweeps = {**({} if segments is None else {"segments": segments}), **(sweep or {})}
     looks = looks_of(modes, what is None, len(sweeps))
     room = what is not None and (is_radiosity(what) or any(one.mode in RADIOSITY for one in looks.values()))
-    lobes = "blinn" if lobes is None and reference == "native" else lobes  # the driver has no other
     plan = planned(looks, lobes_of(lobes), given, sweeps, room, parameters_of(what)).turned(columns)
     finish = _finish(plan, reference, differences, layout, captions or {})
     if animate is not None:
@@ -122,15 +123,14 @@ def _finish(
     columns, known = plan.columns.names, [*plan.columns.names, *plan.rows.names]
     outlines = frozenset(name for name in known if name.partition(":")[0] in OUTLINES)
     if reference is None:
-        lit = [name for name in columns if name not in outlines and name != "unlit"]
-        reference = (lit or columns)[0]
+        reference = truest(columns)
     elif plan.columns.name == "mode" and reference not in columns:
         reference = SHADING.get(reference, reference)
     _check("the reference is a column, of", columns, reference)
     _check("layouts are", LAYOUTS, layout)
     for name in captions:
         _check("captions are for", known, name)
-    return {"reference": reference, "outlines": outlines, "amplified": _amplified(differences), "layout": layout,
+    return {"reference": reference, "outlines": outlines, "factor": _amplified(differences), "layout": layout,
             "captions": dict(captions)}  # fmt: skip
 
 
@@ -139,12 +139,12 @@ def _check(words: str, names: Iterable[str], name: str) -> None:
         raise ValueError(f"compare: {words} {', '.join(names)}, not {name!r}{did_you_mean(name, names)}")
 
 
-def _amplified(differences: str | int) -> int:
+def _amplified(differences: str | int) -> int | None:
     text = str(differences).removeprefix("x")
-    if text == "off":
-        return 0
+    if text in ("off", "auto"):
+        return 0 if text == "off" else None
     if not text.isdigit() or not 1 <= int(text) <= 255:
-        raise ValueError(f'compare: differences are "off" or amplified, "x1" to "x255", not {differences!r}')
+        raise ValueError(f'compare: differences are "auto", "off" or amplified, "x1" to "x255", not {differences!r}')
     return int(text)
 
 
@@ -162,7 +162,7 @@ def _film(
     for number, value in enumerate(time.values, 1):
         tell(f"picture {number} of {len(time.values)} of the animation")
         cells = studio.cells(plan.rows, plan.columns, value.change(plan.start), lambda words: None)
-        sheet = replace(result, cells=cells, amplified=0, layout="screen").sheet
+        sheet = replace(result, cells=cells, factor=0, layout="screen").sheet
         if sheet.width > FILM_WIDTH:
             size = FILM_WIDTH, round(sheet.height * FILM_WIDTH / sheet.width)
             sheet = sheet.resize(size, Image.Resampling.LANCZOS)

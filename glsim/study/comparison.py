@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from glsim import metrics
 from glsim.files import check_folder, write_atomically, write_text
 from glsim.study.axes import Axis
-from glsim.study.sheet import draw_sheet, plain
+from glsim.study.looks import truest
+from glsim.study.sheet import draw_sheet
 from glsim.study.studio import Cell, Key, Pixels
 
 if TYPE_CHECKING:
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
     from glsim.web.page import Strip
 
+FACTORS = (1, 2, 4, 8, 16, 32, 64)  # as the page offers them
 MILLISECONDS = 80  # of a picture of an animation
 
 
@@ -33,7 +35,8 @@ class Comparison:
 
     columns, rows: the two axes.  cells[row, column]: picture and Frame, see ``images``.
     reference: the name of the column that differences are taken from, in each row.
-    amplified: of the differences on the sheet, 0 for none.  layout: of the sheet, see sheet.LAYOUTS.
+    factor: how many times differences are amplified on the sheet, 0 for none, None: see ``amplified``.
+    layout: of the sheet, see sheet.LAYOUTS.
     captions: name of a column or row -> words for it.  legend: the illumination equation.  note: what went wrong,
     though there are pictures.  remarks: sentences about what is shown otherwise than it was given.
     film: sheets of an animation.
@@ -45,7 +48,7 @@ class Comparison:
     cells: dict[Key, Cell]
     reference: str
     outlines: frozenset[str] = frozenset()
-    amplified: int = 4
+    factor: int | None = None
     layout: str = "screen"
     captions: Mapping[str, str] = field(default_factory=dict)
     legend: str = ""
@@ -68,9 +71,23 @@ class Comparison:
     # ------------------------------------------------------------ differences
 
     def reference_of(self, row: str) -> str:
-        """The column that a row's differences are taken from: ``reference``, or the first that has a picture."""
-        there = [column for column in self.columns.names if (row, column) in self.images]
-        return self.reference if self.reference in there else there[0]
+        """The column that a row's differences are taken from: ``reference``, or, if that has no picture in the
+        row, the truest that has one (looks.truest)."""
+        there = self.pictures_of(row)
+        return self.reference if self.reference in there else truest(there)
+
+    def pictures_of(self, row: str) -> list[str]:
+        """The columns that have a picture in a row: native and pyrender have none for a lobe that they lack."""
+        return [column for column in self.columns.names if (row, column) in self.images]
+
+    @cached_property
+    def amplified(self) -> int:
+        """How many times differences are amplified on the sheet, all alike so that they can be compared: ``factor``, or
+        the power of two, up to 64, that makes the largest of them white."""
+        if self.factor is not None:
+            return self.factor
+        largest = max((int(self.difference(*key).max()) for key in self.images if self.has_difference(*key)), default=0)
+        return next((factor for factor in FACTORS if factor * largest >= 255), FACTORS[-1]) if largest else 1
 
     def difference(self, row: str, column: str) -> NDArray[np.int16]:
         """|picture - reference of its row|, (height, width, 3) in 0..255.  Raises ValueError if their sizes differ."""
@@ -85,14 +102,16 @@ class Comparison:
     @cached_property
     def metrics(self) -> list[dict[str, Any]]:
         """For each picture the names of its row, column and reference, and the numbers of glsim.metrics.metrics; None
-        where pictures of two sizes have none.  A list of dicts, as pandas.DataFrame takes it."""
+        where there are none: for pictures of two sizes, and for one that is alone in its row.  A list of dicts, as
+        pandas.DataFrame takes it."""
         found = []
         for row, column in self.images:
             names = {self.rows.name: row} if self.rows.name else {}
             names |= {self.columns.name: column, "reference": self.reference_of(row)}
             a, b = (self.images[row, name] for name in (names["reference"], column))
-            values: Mapping[str, float | None] = metrics.metrics(a, a if a.shape != b.shape else b)
-            found.append({**names, **(dict.fromkeys(values) if a.shape != b.shape else values)})
+            alone = a.shape != b.shape or len(self.pictures_of(row)) == 1 < len(self.columns.values)
+            values: Mapping[str, float | None] = metrics.metrics(a, a if alone else b)
+            found.append({**names, **(dict.fromkeys(values) if alone else values)})
         return found
 
     @property
@@ -123,7 +142,7 @@ class Comparison:
     def difference_words(self, row: str, column: str) -> list[str]:
         """What is written beside a difference."""
         if column == self.reference_of(row):
-            return ["reference"]
+            return ["reference"] if len(self.pictures_of(row)) > 1 else []
         if not self.has_difference(row, column):
             height, width = self.images[row, column].shape[:2]
             return [] if self.numbers(row, column)["max"] is not None else ["another size:", f"{width} x {height}"]
@@ -151,18 +170,19 @@ class Comparison:
             if not columns:
                 continue
             pictures = [
-                Picture(plain(column.label), images[row.name, column.name],
-                        plain(".  ".join(filter(None, (self.captions.get(column.name, ""), column.formula)))),
+                Picture(column.label, images[row.name, column.name],
+                        ".  ".join(filter(None, (self.captions.get(column.name, ""), column.formula))),
                         (equations or {}).get((row.name, column.name)))
                 for column in columns
             ]  # fmt: skip
             names = [column.name for column in columns]
-            notes = [f"{column.label}: {plain(self.cells[row.name, column.name].words)}"
+            notes = [f"{column.label}: {self.cells[row.name, column.name].words}"
                      for column in self.columns.values if column.name not in names]  # fmt: skip
-            title = plain(self.captions.get(row.name, row.label)) or self.title
+            title = self.captions.get(row.name, row.label) or self.title
             found.append(
-                Strip(title, pictures, names.index(self.reference_of(row.name)), "", notes, self._table(row.name))
-            )
+                Strip(title, pictures, names.index(self.reference_of(row.name)), "", notes, self._table(row.name),
+                      self.amplified)
+            )  # fmt: skip
         return found
 
     def _table(self, row: str) -> list[Mapping[str, float] | None]:
@@ -185,7 +205,7 @@ class Comparison:
             from glsim.web.page import page
 
             found = equations(self.cells, progress or (lambda words: None))
-            about = "\n\n".join(filter(None, (plain(self.legend), *self.notes)))
+            about = "\n\n".join(filter(None, (self.legend, *self.notes)))
             write_text(path, page(f"{self.title}: a comparison", self.strips(found), about))
         elif ending == ".gif":
             if not self.film:

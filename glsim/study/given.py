@@ -31,6 +31,9 @@ def pictures_of(given: Any) -> dict[str, NDArray[np.uint8]]:
         given = [given]
     if not isinstance(given, Mapping):
         paths = [str(path) for path in given]
+        twice = next((path for path in paths if paths.count(path) > 1), None)
+        if twice is not None:
+            raise ValueError(f"compare: the picture {twice} is given twice")
         short = [Path(path).name for path in paths]
         given = dict(zip(short if len(set(short)) == len(short) else paths, paths, strict=True))
     return {name: _pixels(name, picture) for name, picture in given.items()}

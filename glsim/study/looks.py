@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from glsim.machine import constants as gl
@@ -35,6 +36,8 @@ MODES = {
 }
 OUTLINES = ("wireframe", "hidden-line")  # differences from them, or of them, mean nothing
 RADIOSITY = ("direct", "radiosity")
+ONE_LOBE = {"native": "fixed function has (N·H)^n only", "pyrender": "pyrender has one lobe only, drawn once"}
+TRUEST = ("radiosity", "direct", "phong", "native", "gouraud", "flat")  # first what the others approximate
 LOBES = {"blinn": "Blinn-Torrance  (N·H)^n", "phong": "Phong  (R·V)^n"}
 BACK = {  # where N.L < 0: two_side, back lighting, in words
     "clamp": (False, gl.GL_CLAMP_NORMAL_GLSIM, "no light where N·L < 0"),
@@ -72,6 +75,13 @@ class Look(NamedTuple):
 
 
 GOURAUD = Look()
+
+
+def truest(names: Sequence[str]) -> str:
+    """Of columns the one that the others approximate: of looks the one that evaluates the light most fully (Phong
+    shading does so at every pixel), of anything else the first."""
+    modes = [name.partition(":")[0] for name in names]
+    return next((names[modes.index(mode)] for mode in TRUEST if mode in modes), names[0])
 
 
 def look(text: str) -> Look:

@@ -122,7 +122,8 @@ def _metallic(diffuse: float, specular: float) -> float:
 def source(light: Light, share: float = 1.0) -> Source:
     """A light of OpenGL as one of KHR_lights_punctual.
 
-    share: the intensity at 1 of a positional light of brightness 1, the mean of d^2 times its attenuation.
+    share: of a positional light of brightness 1, what it would send to the distance 1: the mean over the lit surface of
+    d^2 times its attenuation.
     """
     x, y, z, w = light.position
     axis = np.array(light.spot_direction) / max(float(np.linalg.norm(light.spot_direction)), 1e-30)

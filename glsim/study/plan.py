@@ -10,7 +10,7 @@ from glsim.names import LOBES as LOBE_NAMES
 from glsim.names import did_you_mean
 from glsim.study import axes as ax
 from glsim.study.axes import Axis, Setting, Value
-from glsim.study.looks import LOBES, MODES, SHADED, Look, look
+from glsim.study.looks import LOBES, MODES, ONE_LOBE, SHADED, Look, look
 
 DEFAULT_MODES = ("flat", "gouraud", "phong")
 
@@ -79,7 +79,8 @@ def planned(
     looks: dict[str, Look], lobes: list[str] | None, given: Mapping[str, Any], sweeps: Mapping[str, Any], room: bool,
     parameters: Sequence[str],
 ) -> Plan:  # fmt: skip
-    """Columns are modes and rows lobes, or what is swept; with two sweeps, these are columns and rows."""
+    """The columns are modes; the rows are lobes, or the values of a sweep.  Two sweeps make both: the first the
+    columns."""
     swept = [ax.sweep(name, values, parameters) for name, values in sweeps.items()]
     if len(swept) > 2 or (len(swept) == 2 and (len(looks) > 1 or given or len(lobes or []) > 1)):
         names = ", ".join([*(["mode"] if len(looks) > 1 else []), *(axis.name for axis in swept)])
@@ -91,7 +92,8 @@ def planned(
         lobes = lobes[:1]
     named = any(one.lobe for one in looks.values())
     driver = all(one.mode == "native" for one in looks.values())  # which has no other lobe
-    lobes = lobes or (["blinn"] if swept or named or driver else list(LOBES))
+    single = any(one.mode in ONE_LOBE for one in looks.values())
+    lobes = lobes or (["blinn"] if swept or named or single else list(LOBES))
     if looks and driver and not given and "blinn" not in lobes:
         raise ValueError("compare: the driver's fixed function has the lobe blinn only")
     start = Setting(lobe=lobes[0])

@@ -18,12 +18,12 @@ Bytes = tuple[int, int, int, int]
 
 @dataclass(frozen=True)
 class Vertex:
-    """A corner of the primitive.  number: in the program's Draw, -1 if glsim made it; position: in object space; eye:
-    in eye space; normal: in eye space, before it is turned round for a back side; window: pixels from the lower left
-    and depth, NaN if the corner is behind the eye.  linear: weight on the screen; hyperbolic:
-    perspective-correct weight, with which values are interpolated unless GL_AFFINE_GLSIM asks for the linear ones; the
-    others are NaN if a corner is behind the eye.  color: RGBA: the result of lighting in [0, 1] if the equation ran at
-    the vertices, else the vertex's current colour."""
+    """A corner of the primitive.  number: in the program's Draw, -1 if glsim made it.  position: in object space.  eye:
+    its position in eye space.  normal: in eye space, before it is turned round for a back side.  window: pixels from
+    the lower left, and depth; NaN if the corner is behind the eye.  linear: the corner's weight on the screen.
+    hyperbolic: its perspective-correct weight.  Values are interpolated with the hyperbolic weights, or with the linear
+    ones under GL_AFFINE_GLSIM; the weights that are not used are NaN if a corner is behind the eye.  color: RGBA: the
+    result of lighting in [0, 1] if the equation ran at the vertices, else the vertex's current colour."""
 
     number: int
     position: Numbers

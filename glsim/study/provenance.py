@@ -125,7 +125,7 @@ class _Scratch:
         self.machine = Machine(NoDevice())
 
     def sets(self, call: Call, before: Moment) -> list[Path]:
-        """The pieces of state that a call sets, also to the value they have."""
+        """The pieces of state that a call sets, those too that have the value already."""
         state, material = _distinct_copy(before.state), _distinct_copy(before.material)
         m = self._load(self.machine, state, material)
         m.modelview[-1] = leaf(before.matrices[0].get())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -34,20 +34,25 @@ LAYOUTS: dict[str, tuple[tuple[int, int], int] | None] = {
 
 def written(text: str, size: float, color: Color = INK, paper: Color = PAPER) -> Image.Image:
     """A line of text as a picture; "k_d" has an index and "x^n" an exponent, of one character or digits."""
-    runs = _runs(text)
-    large, small = (_font(max(size * share, 8.0)) for share in (1.0, 0.72))
-    fonts = {"": large, "_": small, "^": small}
     drops = {"": 0.0, "_": 0.48 * size, "^": -0.02 * size}
-    width = sum(fonts[mark].getlength(words) for mark, words in runs)
-    line = Image.new("RGB", (int(width) + 2, round(1.45 * size)), paper)
+    line = Image.new("RGB", (_width(text, size), round(1.45 * size)), paper)
     pen, x = ImageDraw.Draw(line), 0.0
-    for mark, words in runs:
-        pen.text((x, drops[mark] + 0.1 * size), words, color, fonts[mark])
-        x += fonts[mark].getlength(words)
+    for mark, words in _runs(text):
+        font = _font(mark, size)
+        pen.text((x, drops[mark] + 0.1 * size), words, color, font)
+        x += font.getlength(words)
     return line
 
 
-_font = cache(ImageFont.load_default)
+@cache
+def _font(mark: str, size: float) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
+    return ImageFont.load_default(max(size * (0.72 if mark else 1.0), 8.0))
+
+
+@lru_cache(4096)
+def _width(text: str, size: float) -> int:
+    """The width of a written line in pixels, without writing it."""
+    return int(sum(_font(mark, size).getlength(words) for mark, words in _runs(text))) + 2
 
 
 def _runs(text: str) -> list[tuple[str, str]]:
@@ -59,20 +64,20 @@ def _runs(text: str) -> list[tuple[str, str]]:
     return [run for run in [*runs, ("", text[at:])] if run[1]]
 
 
+def broken(text: str, size: float, width: int) -> list[str]:
+    """Text in lines of at most ``width`` pixels: broken where commas are followed by two spaces."""
+    if _width(text, size) <= width or ",  " not in text:
+        return [text]
+    return [line for words in text.split(",  ") for line in broken(words, size, width)]
+
+
 def fitted(text: str, size: float, width: int, color: Color = INK) -> list[Image.Image]:
-    """Text in lines of at most ``width`` pixels: broken where commas are followed by two spaces, then made smaller."""
-    line = written(text, size, color)
-    if line.width <= width:
-        return [line]
-    if ",  " in text:
-        return [part for words in text.split(",  ") for part in fitted(words, size, width, color)]
-    return [written(text, max(size * width / line.width * 0.98, 8.0), color)]
-
-
-def plain(text: str) -> str:
-    """The same text with Unicode's indices and exponents where it has them."""
-    text = re.sub(r"_(\d)", lambda found: chr(0x2080 + int(found[1])), text)
-    return text.replace("^n", "ⁿ")
+    """Text in lines as ``broken`` gives them; what is still too wide is written smaller."""
+    found = []
+    for line in broken(text, size, width):
+        shrunk = size * width / _width(line, size) * 0.98
+        found.append(written(line, size if _width(line, size) <= width else max(shrunk, 8.0), color))
+    return found
 
 
 # ---------------------------------------------------------------- geometry
@@ -165,13 +170,14 @@ def _grid(comparison: Comparison, width: int, height: int, text: int, where: str
     columns, rows = comparison.columns.values, comparison.rows.values
     differences = where if comparison.amplified and len(columns) > 1 else ""
     grid = Grid(len(columns), len(rows), width, height, text, differences, any(row.label for row in rows))
-    return replace(grid, heads=max(len(_head(comparison, column, grid)) for column in columns))
+    lines = [[broken(text, grid.small, grid.column) for text, _ in _head(comparison, column)] for column in columns]
+    return replace(grid, heads=max(sum(map(len, head)) for head in lines))
 
 
-def _head(comparison: Comparison, column: Value, grid: Grid) -> list[Image.Image]:
+def _head(comparison: Comparison, column: Value) -> list[tuple[str, Color]]:
     """What stands under a column's name: the user's caption, then the formula."""
     words = [(comparison.captions.get(column.name, ""), INK), (column.formula, FAINT)]
-    return [line for text, color in words if text for line in fitted(text, grid.small, grid.column, color)]
+    return [(text, color) for text, color in words if text]
 
 
 def _largest(comparison: Comparison, page: tuple[int, int], text: int, ratio: float) -> Grid:
@@ -216,7 +222,9 @@ def _drawn(comparison: Comparison, grid: Grid) -> Image.Image:
         x, y = grid.corner(k, 0)[0], round(grid.gap + 1.9 * grid.text)
         name = fitted(column.label, 1.1 * grid.text, grid.column)[0]
         sheet.paste(name, (x + (grid.column - name.width) // 2, y))
-        for number, line in enumerate(_head(comparison, column, grid)):
+        head = [line for text, color in _head(comparison, column)
+                for line in fitted(text, grid.small, grid.column, color)]  # fmt: skip
+        for number, line in enumerate(head):
             below = y + round(1.6 * grid.text) + number * grid.line
             sheet.paste(line, (x + (grid.column - line.width) // 2, below))
     for k, row in enumerate(comparison.rows.values):

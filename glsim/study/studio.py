@@ -16,12 +16,11 @@ from glsim.machine.frame import Frame
 from glsim.render.context import Offscreen, own_screen
 from glsim.study.axes import Axis, Setting
 from glsim.study.changes import Change, changed, changed_calls
-from glsim.study.looks import OUTLINES, RADIOSITY
+from glsim.study.looks import ONE_LOBE, OUTLINES, RADIOSITY
 from glsim.study.sources import Source
 
 Pixels = NDArray[np.uint8]
 Key = tuple[str, str]  # names of row and column
-NO_LOBE = "fixed function has (N·H)^n only"
 
 
 class Cell(NamedTuple):
@@ -73,6 +72,9 @@ class Studio:
         for key, setting in settings(rows, columns, start):
             tell(f"drawing {', '.join(filter(None, reversed(key)))}")
             if setting.look.mode == "pyrender" and setting.picture is None:
+                if setting.lobe != start.lobe:
+                    cells[key] = Cell(None, ONE_LOBE["pyrender"])
+                    continue
                 plain = not setting.arguments and not setting.changes
                 physical[key] = (self.source.original if plain else None) or self._frame(setting)[0]
                 cells[key] = Cell(None)
@@ -100,7 +102,7 @@ class Studio:
         if look.mode in RADIOSITY:
             return Cell(source.solved(look.mode, self.samples))
         if look.mode == "native" and not look.lobe and setting.lobe != "blinn":
-            return Cell(None, NO_LOBE)
+            return Cell(None, ONE_LOBE["native"])
         frame, changes = self._frame(setting)
         if look.mode == "native":
             return Cell(source.finished(native(frame, changes)))

@@ -27,7 +27,7 @@ def explanations(all_of_them: Sequence[Explanation]) -> Iterator[Table]:
 
 
 def explained(explanation: Explanation, known: dict[str, Setting]) -> Table:
-    """known: settings that need not be shown again."""
+    """The table of one Draw.  known: settings that need not be shown again."""
     where = line(explanation.where)
     title = f"draw {explanation.draw}: {explanation.what} {where}".rstrip()
     table = Table("call", "line", "->  GLSL", "value", title=title, title_justify="left")

@@ -33,7 +33,8 @@ class Terms:
     of fragments without lighting.  Each pixel has the terms of the last fragment written, before texture.
     normal: unit normals in eye space, (height, width, 3).  depth: (height, width) in [0, 1].
     N_L, cosine: number of the light -> (height, width); cosine is N.H or R.V.
-    covered, lit, clamped: (height, width) bool: a fragment was drawn, it was lit, clamping to [0, 1] changed its sum.
+    covered, lit, clamped: (height, width) bool: whether a fragment was drawn, whether it was lit, and whether clamping
+    to [0, 1] changed the sum of its terms.
     vector: "H" or "R", the lobe of the lit pixels that were evaluated last.
     later_stages: those of "texture", "fog" and "blending" that the frame uses; the terms leave them out.
     """

@@ -22,8 +22,8 @@ from glsim.study.text import as_json, call_text, matrix_text, value_text
 class Entry:
     """One call, or a run of glVertex and the like.
 
-    changes: (state, old value, new value) as text; redundant: it set what was set already; drew: number of its Draws;
-    note: why it has no effect.
+    changes: (state, old value, new value) as text.  redundant: whether it set only values that were there already.
+    drew: how many Draws it made.  note: why it has no effect.
     """
 
     call: int
@@ -122,7 +122,7 @@ class Colors:
         self.first, self.last = -1, -2
 
     def call(self, number: int, call: Call) -> None:
-        """One of glVertex, glColor, ...: what follows each other is one Entry."""
+        """One of glVertex, glColor, ...: calls that follow each other make one Entry."""
         self.first = number if number != self.last + 1 else self.first
         self.last = number
         if COMMANDS[call.name].family == "glColor":

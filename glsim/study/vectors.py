@@ -37,10 +37,10 @@ def vectors(
 
     what: a Frame, a drawing function, a scene, a mesh file or a program: what glsim.probe takes, with its options.
     x, y: pixel from the upper left.  light: number of the light that R, H and the panel belong to (None: the one that
-    adds most); L is drawn for every light.  length: of the vectors, as a share of the picture's smaller side, were they
-    seen from the side.  panel: the same vectors in the plane of N and L, with their angles, on the right.
-    Where the equation runs at the vertices (Gouraud and flat shading), so do the vectors: at the vertex whose
-    weight is largest; the others show their N.  An arrow that points at the eye is a ring with a dot.
+    adds most); L is drawn for every light.  length: that a vector seen from the side has, as a share of the picture's
+    smaller side.  panel: the same vectors in the plane of N and L, with their angles, on the right.
+    Where the equation runs at the vertices (Gouraud and flat shading), the vectors stand at the vertex of the largest
+    weight, and the other vertices show their N.  An arrow that points at the eye is a ring with a dot.
 
     Raises ValueError where no lit surface is seen, or for a light that is not on.
 

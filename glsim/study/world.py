@@ -203,7 +203,7 @@ def axis_ends(world: World) -> Float:
 
 
 def lamp_place(world: World, light: Light) -> Float:
-    """Where a light is drawn: at its position; a direction, or a position far away, near the surfaces."""
+    """Where a light is drawn: at its position; near the surfaces if that is a direction or far away."""
     position = np.array(light.position, float)
     reach = 1.7 * world.radius
     if position[3] == 0.0:
@@ -217,7 +217,8 @@ def lamp_place(world: World, light: Light) -> Float:
 
 
 def end_of_frustum(world: World) -> Float:
-    """Where its edges end (4, 3): at the far plane, or behind the surfaces if that is too far away."""
+    """Where the frustum's edges end, (4, 3): at the far plane, or behind the surfaces if the far plane is too far
+    away."""
     near, far = world.corners[:4], world.corners[4:]
     if world.far_shown:
         return far

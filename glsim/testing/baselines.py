@@ -27,7 +27,8 @@ FACTS = ("renderer", "version", "size", "glsim", "probe")  # keys of the PNG's t
 
 
 class Baseline(NamedTuple):
-    """An approved picture.  facts: its text chunks; renderer and version are "" if no driver is known that drew it."""
+    """An approved picture.  facts: the text chunks of its PNG, without renderer and version if nobody knows who drew
+    it."""
 
     path: Path
     facts: Mapping[str, str]
@@ -42,20 +43,37 @@ def base_name(test: str, name: str = "") -> str:
     """A file name, without its ending, for each snapshot: ``test_ball[red-2]-left`` for test_ball[red-2] and "left".
 
     test: the test's name as pytest has it, with its class and parameters: ``TestLight::test_ball[red-2]``.
-    The result is safe in every file system.  Where that changes a name (capitals, as some systems don't tell them from
-    small letters; other signs; length), a hash of the original is added, so that no two snapshots share a file.
+    The result is a file name in every file system.  A name that is too long, that has signs which cannot be in a file
+    name, or capitals, which some systems take for small letters, gets a hash of the original at its end, so that no two
+    snapshots share a file.
     """
-    head, bracket, parameters = test.partition("[")
-    base = re.sub(r"[^\w+]", "-", head.replace("::", "+"), flags=re.ASCII)
-    if bracket:
-        base += "[" + re.sub(r"[^\w.-]", "-", parameters.removesuffix("]"), flags=re.ASCII) + "]"
+    base = _safe(test)
     if name:
         base += "-" + re.sub(r"[^\w-]", "-", name, flags=re.ASCII)
     original = test.replace("::", "+") + ("-" + name if name else "")
     if base == original.lower() and len(base) <= LONGEST and not re.fullmatch(r"(?i)con|prn|aux|nul|(com|lpt)\d", base):
         return base
     digest = sha256(f"{test}\0{name}".encode()).hexdigest()[:8]
-    return (base if len(base) <= LONGEST else re.sub(r"[\[\].]", "-", base[:LONGEST])) + f"-{digest}"
+    return (base if len(base) <= LONGEST else _cut(base)) + f"-{digest}"
+
+
+def _safe(test: str) -> str:
+    head, bracket, parameters = test.partition("[")
+    base = re.sub(r"[^\w+]", "-", head.replace("::", "+"), flags=re.ASCII)
+    if bracket:
+        base += "[" + re.sub(r"[^\w.-]", "-", parameters.removesuffix("]"), flags=re.ASCII) + "]"
+    return base
+
+
+def _cut(base: str) -> str:
+    return re.sub(r"[\[\].]", "-", base[:LONGEST])
+
+
+def may_belong(file_name: str, test: str) -> bool:
+    """Whether a file can be a baseline of a test, whatever the name of the snapshot."""
+    base = _safe(test)
+    heads = [head for head in (base, _cut(base)) if file_name.startswith(head)]
+    return any(len(base) >= LONGEST or file_name[len(head)] in "-." for head in heads)
 
 
 def belongs(file_name: str, base: str) -> bool:
@@ -75,10 +93,10 @@ def pictures(folder: Path) -> list[Path]:
 
 
 def same_renderer(a: Mapping[str, str], b: Mapping[str, str]) -> bool:
-    """Whether the same version of the same renderer drew both pictures, or no driver is known of either.
+    """Whether one version of one renderer drew both pictures, or nobody knows who drew either.
 
-    Where both know what their renderer made of the probe picture, that must be equal too: a software renderer rounds as
-    the machine that it runs on."""
+    If both have the hash of the probe picture, the hashes must be equal too, because a software renderer rounds
+    differently on different processors."""
     alike = all(a.get(key, "") == b.get(key, "") for key in ("renderer", "version"))
     return alike and len({facts["probe"] for facts in (a, b) if facts.get("probe")}) < 2
 

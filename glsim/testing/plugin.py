@@ -66,8 +66,8 @@ def _gl_screens() -> Iterator[Screens]:
 def gl(request: pytest.FixtureRequest, _gl_screens: Screens) -> Iterator[Offscreen]:
     """A current context in its initial state: a glsim.Offscreen.  ``from glsim.gl import *`` has the commands.
 
-    ``@pytest.mark.gl(size=(width, height), samples=4)`` says how large.  A test that passes and leaves textures, buffer
-    objects, queries or display lists behind fails.
+    ``@pytest.mark.gl(size=(width, height), samples=4)`` says how large.  A test that passes, but leaves textures,
+    buffer objects, queries or display lists behind, or glBegin or glNewList open, fails.
     """
     screen = _clean(request, _gl_screens, "test", None)
     request.node.stash[SCREEN] = screen
@@ -113,7 +113,7 @@ def _clean(request: pytest.FixtureRequest, screens: Screens, purpose: str, size:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_call(item: pytest.Item) -> Generator[None, Any, Any]:
-    """A test that passed fails if its pictures do, or if it leaves GL objects behind."""
+    """Let a test that passed fail if one of its pictures does, or if it leaves GL objects behind or something open."""
     try:
         result = yield
     except BaseException:

@@ -9,9 +9,10 @@ gl-report/report.json                                                       what
 from __future__ import annotations
 
 import json
+import os
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +30,8 @@ from glsim.version import __version__
 FORMAT = 1
 AMPLIFIED = 16
 MOST = 100  # strips on the page
-TEXTS = ("test", "name", "base", "folder", "status", "message", "closest", "candidate")
+TEXTS = ("test", "name", "base", "folder", "status", "message", "closest", "candidate", "difference")
+PICTURES = ("candidates", "differences")
 ORDER = ("failed", "missing", "close", "updated", "passed")
 SAID = {
     "failed": "failed",
@@ -58,6 +60,71 @@ def write_difference(path: Path, expected: Pixels, actual: Pixels) -> None:
     sheet = tiles(path.stem, [row], max(256, min(1024, int(height), int(width))))
     path.parent.mkdir(parents=True, exist_ok=True)
     write_atomically(path, lambda name: sheet.save(name, "PNG"))
+
+
+def update_report(
+    settings: Settings,
+    entries: Sequence[dict[str, Any]],
+    unused: Sequence[str],
+    header: Sequence[str],
+    is_old: Callable[[str], bool],
+) -> tuple[bool, int]:
+    """Replace what the report says of the tests that ran; what an earlier run said of others stays, with its pictures.
+
+    is_old: whether what was said of a test, or of the baselines of a test file, no longer holds.
+    Returns whether there is a report, and how many snapshots of an earlier run are in it.  If nothing failed and
+    ``report_all`` is not set, there is none."""
+    kept, still = _earlier(settings, is_old)
+    all_unused = sorted({*unused, *still})
+    said = [*entries, *kept]
+    there = settings.report_all or all_unused or any(entry["status"] in ("failed", "missing") for entry in said)
+    _remove_pictures(settings.folder, said if there else ())
+    if there:
+        write_report(settings, said, all_unused, header)
+        return True, len(kept)
+    for name in ("index.html", "report.json", ".gitignore"):
+        (settings.folder / name).unlink(missing_ok=True)
+    return False, 0
+
+
+def _earlier(settings: Settings, is_old: Callable[[str], bool]) -> tuple[list[dict[str, Any]], list[str]]:
+    """The snapshots and the unused baselines of an earlier run's report that still hold."""
+    try:
+        report = load_report(settings.folder)
+    except (OSError, ValueError):
+        return [], []
+    kept = [entry for entry in report["snapshots"] if not is_old(entry["test"]) and _is_whole(settings, entry)]
+    unused = [path for path in report["unused"] if (settings.root / path).is_file() and not is_old(_tests_of(path))]
+    return kept, unused
+
+
+def _is_whole(settings: Settings, entry: dict[str, Any]) -> bool:
+    """Whether the pictures that an entry names are there, and where pictures of this project lie."""
+    try:
+        inside(settings.root, f"{entry['folder']}/{entry['closest'] or 'none.png'}")
+        return not entry["candidate"] or inside(settings.folder, entry["candidate"]).is_file()
+    except ValueError:
+        return False
+
+
+def _tests_of(baseline: str) -> str:
+    """The test file that a baseline belongs to: tests/__gl_snapshots__/test_ball/x.png -> tests/test_ball.py."""
+    folder = Path(baseline).parent
+    return (folder.parent.parent / f"{folder.name}.py").as_posix()
+
+
+def _remove_pictures(folder: Path, said: Sequence[dict[str, Any]]) -> None:
+    """Remove the pictures that no entry names, so that nothing of an earlier run is approved by mistake."""
+    named = {str(folder / entry[kind]) for entry in said for kind in ("candidate", "difference") if entry[kind]}
+    for part in PICTURES:
+        if (folder / part).is_symlink():
+            (folder / part).unlink()
+        for inner, _, files in os.walk(folder / part, topdown=False):
+            for file in files:
+                if os.path.join(inner, file) not in named:
+                    os.unlink(os.path.join(inner, file))
+            if not os.listdir(inner):
+                os.rmdir(inner)
 
 
 def write_report(
@@ -106,7 +173,10 @@ def load_report(folder: Path) -> dict[str, Any]:
         for entry in entries:
             sound = sound and all(isinstance(entry[key], str) for key in TEXTS) and entry["status"] in ORDER
     except FileNotFoundError:
-        raise FileNotFoundError(f"{folder} is no report of snapshots: there is no report.json in it") from None
+        raise FileNotFoundError(
+            f"{folder} is no report of snapshots: there is no report.json in it (a run"
+            " in which all pictures pass leaves none)"
+        ) from None
     except (ValueError, KeyError, TypeError) as error:
         raise ValueError(f"{folder}/report.json is no report of this glsim: {error}") from None
     if not sound:

@@ -36,7 +36,8 @@ Ranges = Mapping[str, tuple[float, float]]
 
 
 class Verdict(NamedTuple):
-    """passed; exact: because the picture equals a baseline.  closest: the most similar baseline, and its pixels.
+    """passed: whether the picture did; exact: whether it equals a baseline.  closest: the most similar baseline, and
+    its pixels.
 
     reason: sentences that say why the picture failed, or by what it passed although it is not equal."""
 
@@ -48,7 +49,8 @@ class Verdict(NamedTuple):
 
 
 def ranges_of(tolerances: Mapping[str, object]) -> dict[str, tuple[float, float]]:
-    """``{"max": 4, "mean": (0.5, 2)}`` as ranges (least, most).  One number is the most, of ssim the least.
+    """``{"max": 4, "mean": (0.5, 2)}`` as ranges (least, most).  One number is the largest value
+    that passes; of ssim, which is 1 for equal pictures, the smallest.
 
     Raises TypeError, ValueError for names and values that are no tolerances."""
     ranges = {}
@@ -106,7 +108,7 @@ def counts(expected: Pixels, actual: Pixels) -> tuple[int, int]:
 
 
 def broken(expected: Pixels, actual: Pixels) -> str:
-    """What of the rule for another renderer is broken by two pictures of one size; "" if nothing is."""
+    """In words, what two pictures of one size break of the rule for another renderer; "" if nothing."""
     more, blocks = counts(expected, actual)
     pixels = actual.shape[0] * actual.shape[1]
     parts = []

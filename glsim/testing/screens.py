@@ -22,7 +22,7 @@ class Screens:
     def clean(self, purpose: str, width: int, height: int, samples: int = 0) -> Offscreen:
         """A context with all state as in a new one.  Raises NoDeviceError, ValueError as ``glsim.offscreen`` does.
 
-        purpose: contexts with different purposes are in use at the same time."""
+        purpose: a word; contexts for two purposes can be in use at the same time."""
         screen = self.opened.get((purpose, samples))
         try:
             if screen is not None:
@@ -51,8 +51,14 @@ def opaque(screen: Offscreen) -> Pixels:
 
 
 def leaks(screen: Offscreen) -> str:
-    """The objects that a test made and did not delete, as a sentence; "" if there are none."""
-    objects = screen.machine.objects
+    """What a test began and did not end, or made and did not delete, as a sentence; "" if there is nothing."""
+    objects, machine = screen.machine.objects, screen.machine
+    if machine.inside is not None:
+        return (
+            f"The test leaves glBegin({machine.inside!r}) open: what it drew is never seen, because glEnd is missing."
+        )
+    if machine.compiling is not None:
+        return f"The test leaves glNewList({machine.compiling.number}, ...) open: glEndList is missing."
     held = {
         "textures": (objects.texture_names | {name for name, _ in objects.textures if name}, "glDeleteTextures"),
         "buffer objects": (set(objects.buffers), "glDeleteBuffers"),

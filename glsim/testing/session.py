@@ -7,7 +7,6 @@ knows as much as a single process does.
 from __future__ import annotations
 
 import os
-import shutil
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
@@ -18,45 +17,34 @@ import pytest
 from glsim.testing import baselines
 from glsim.testing.settings import Settings, is_foreign
 
-PARTS = ("candidates", "differences", "index.html", "report.json", ".gitignore")
 SHOWN = 4  # pictures in a terminal, at most
 
 
 class Session:
     """Collects what the tests' reports tell.
 
-    tests: test -> its snapshots.  passed: tests that passed, by their file.  whole: files that were collected whole ->
-    the number of their tests.  unused: baselines, relative to the root.  lines: what the header says.
+    tests: test -> its snapshots.  ran: tests that ran; passed: those of them that passed.  whole: files that were
+    collected whole -> their tests.  unused: baselines, relative to the root.  lines: what the header says.
     """
 
     def __init__(self, config: pytest.Config, settings: Settings) -> None:
         self.config, self.settings = config, settings
         self.worker: dict[str, Any] | None = getattr(config, "workeroutput", None)
         self.tests: dict[str, list[dict[str, Any]]] = {}
-        self.passed: dict[str, set[str]] = {}
-        self.whole: dict[str, int] = {}
+        self.ran: set[str] = set()
+        self.passed: set[str] = set()
+        self.whole: dict[str, list[str]] = {}
         self.unused: list[str] = []
         self.lines: list[str] = []
-        self.written = False
+        self.written, self.kept = False, 0
         self._collected: Counter[str] = Counter()
 
     # ------------------------------------------------------------ before the tests
 
     def pytest_sessionstart(self, session: pytest.Session) -> None:
-        if self.worker is None and not self.config.getoption("collectonly"):
-            self._remove_old_report()
-
-    def _remove_old_report(self) -> None:
-        """So that nothing of an earlier run is approved by mistake.  A folder that is no report is left alone."""
         folder = self.settings.folder
-        if is_foreign(folder):
+        if self.worker is None and is_foreign(folder):
             raise pytest.UsageError(f"--gl-report: {folder} has other files in it: name an empty or a new folder")
-        for part in PARTS:
-            path = folder / part
-            if path.is_dir() and not path.is_symlink():
-                shutil.rmtree(path, ignore_errors=True)
-            else:
-                path.unlink(missing_ok=True)
 
     @pytest.hookimpl(optionalhook=True)
     def pytest_configure_node(self, node: Any) -> None:
@@ -69,8 +57,10 @@ class Session:
     def pytest_collection_finish(self, session: pytest.Session) -> None:
         """Which files were collected whole, and what the header says of the renderer."""
         narrowed = self.config.getoption("lf", False) or any("::" in word for word in self.config.args)
-        chosen = Counter(_file(item.nodeid) for item in session.items)
-        self.whole = {} if narrowed else {file: n for file, n in chosen.items() if n == self._collected[file]}
+        chosen: dict[str, list[str]] = {}
+        for item in session.items:
+            chosen.setdefault(_file(item.nodeid), []).append(item.nodeid)
+        self.whole = {} if narrowed else {f: ids for f, ids in chosen.items() if len(ids) == self._collected[f]}
         asking = [item for item in session.items if "gl" in getattr(item, "fixturenames", ())]
         first = self.worker is None or os.environ.get("PYTEST_XDIST_WORKER") == "gw0"
         if asking and first and not self.config.getoption("collectonly"):
@@ -86,11 +76,11 @@ class Session:
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         if hasattr(report, "gl_snapshots"):
             self.tests[report.nodeid] = report.gl_snapshots
-        passed = self.passed.setdefault(_file(report.nodeid), set())
+        self.ran.add(report.nodeid)
         if report.when == "call" and report.passed and not hasattr(report, "wasxfail"):
-            passed.add(report.nodeid)
+            self.passed.add(report.nodeid)
         elif not report.passed:
-            passed.discard(report.nodeid)
+            self.passed.discard(report.nodeid)
 
     @pytest.hookimpl(optionalhook=True)
     def pytest_testnodedown(self, node: Any, error: Any) -> None:
@@ -108,28 +98,43 @@ class Session:
             self.unused = [self._told(path) for path in self._unused()]
         if self.unused and session.exitstatus == pytest.ExitCode.OK:
             session.exitstatus = pytest.ExitCode.TESTS_FAILED
-        if self.unused or self._of("failed", "missing") or (self.settings.report_all and self.tests):
-            from glsim.testing.report import write_report
+        failed = self.unused or self._of("failed", "missing")
+        if failed or (self.settings.report_all and self.tests) or (self.ran and self.settings.folder.is_dir()):
+            from glsim.testing.report import update_report
 
-            write_report(self.settings, self._of(), self.unused, self.lines)
-            self.written = True
+            self.written, self.kept = update_report(self.settings, self._of(), self.unused, self.lines, self._is_old)
+
+    def _is_old(self, test: str) -> bool:
+        """Whether what an earlier run said of a test, or of a file's baselines, no longer holds: it ran, or is gone."""
+        file, _, name = test.partition("::")
+        if not name:
+            return file in self.whole
+        gone = not (self.settings.root / file).is_file() or test not in self.whole.get(file, [test])
+        return gone or test in self.ran
 
     def _of(self, *statuses: str) -> list[dict[str, Any]]:
         """The snapshots with one of these statuses; all if none is named."""
         return [e for entries in self.tests.values() for e in entries if not statuses or e["status"] in statuses]
 
     def _unused(self) -> list[Path]:
-        """Baselines that no snapshot asked for, of test files that ran whole and passed, and of files that are gone."""
+        """Baselines that no snapshot asked for, of test files that ran whole, and of files that are gone.
+
+        A test that did not pass may not have come to all its snapshots: what can be its baseline is none of them."""
         used: dict[Path, set[str]] = {}
         for entry in self._of():
             used.setdefault(self.settings.root / entry["folder"], set()).update(entry["baselines"])
         unused, folders = [], set()
-        for file, count in self.whole.items():
+        for file, tests in self.whole.items():
             path = self.settings.root / file
             folders.add(path.parent / baselines.FOLDER)
-            if len(self.passed.get(file, ())) == count:
-                folder = baselines.folder_of(path)
-                unused += [p for p in baselines.pictures(folder) if p.name not in used.get(folder, ())]
+            folder = baselines.folder_of(path)
+            open_ = [test.partition("::")[2] for test in tests if test not in self.passed]
+            unused += [
+                picture
+                for picture in baselines.pictures(folder)
+                if picture.name not in used.get(folder, ())
+                and not any(baselines.may_belong(picture.name, test) for test in open_)
+            ]
         for folder in (inner for outer in folders if outer.is_dir() for inner in outer.iterdir() if inner.is_dir()):
             if not any(folder.parent.parent.glob(f"{_escaped(folder.name)}.*")):
                 unused += baselines.pictures(folder)
@@ -160,7 +165,8 @@ class Session:
         if failed or missing:
             write(f"{len(failed)} pictures failed, {len(missing)} have no baseline", red=True)
         if self.written:
-            write(f"report: {self._folder()}/index.html")
+            earlier = f", with {self.kept} pictures of an earlier run, whose tests did not run" if self.kept else ""
+            write(f"report: {self._folder()}/index.html{earlier}")
         if failed or missing:
             write(f"approve pictures that are right: glsim snapshots approve {self._folder()}")
         from glsim.testing.terminal import show

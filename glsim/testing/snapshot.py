@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from glsim.render.context import Offscreen
     from glsim.testing.settings import Settings
 
+__tracebackhide__ = True  # pytest then shows the lines of tests, and none of this file
+GLSIM = Path(__file__).parents[1]
 PASSED, CLOSE, FAILED, MISSING, UPDATED = "passed", "close", "failed", "missing", "updated"
 
 
@@ -82,8 +84,16 @@ class Snapshot:
 
         Raises TypeError or ValueError for what is no picture or no tolerance.
         """
-        __tracebackhide__ = True
-        ranges = ranges_of(tolerances)
+        try:
+            self._hold(what, name, size, origin, renderer, ranges_of(tolerances))
+        except Exception as error:
+            if not self._item.config.getoption("fulltrace"):
+                _end_outside(error)
+            raise
+
+    def _hold(
+        self, what: Any, name: str | None, size: Sequence[int] | None, origin: str, renderer: str, ranges: Any
+    ) -> None:
         line = _line(self._item.path)
         name = self._checked_name(name or "", line, must_differ(ranges))
         pixels, made = self._picture(what, size, origin, renderer)
@@ -229,7 +239,7 @@ class Snapshot:
             pytest.fail("\n".join(failures), pytrace=False)
 
     def told_beside_another_error(self) -> None:
-        """Where the test ended with an error of its own: its pictures that failed are a section of its report."""
+        """Put the pictures that failed into a section of the test's report, when the test ended with another error."""
         if self._failures:
             self._item.add_report_section("call", "glsim", "\n".join(self._failures))
             self._failures = []
@@ -245,6 +255,17 @@ def _known_renderer(what: Any) -> dict[str, str]:
     if not isinstance(info, dict) or "GL_RENDERER" not in info:
         return {}
     return {"renderer": str(info["GL_RENDERER"]), "version": str(info.get("GL_VERSION", ""))}
+
+
+def _end_outside(error: Exception) -> None:
+    """Let a traceback end in the last line that is none of glsim's: what is wrong is there.  --full-trace has all."""
+    last = entry = error.__traceback__
+    while entry is not None:
+        if not Path(entry.tb_frame.f_code.co_filename).is_relative_to(GLSIM):
+            last = entry
+        entry = entry.tb_next
+    if last is not None:
+        last.tb_next = None
 
 
 def _line(test_file: Path) -> str:

@@ -43,10 +43,11 @@ const CONTROLS = `
 function fillChoices(group, name, labels, keys) {
   labels.forEach((label, index) => {
     const choice = document.createElement("label"), input = document.createElement("input");
-    const words = document.createElement("span");
+    const words = document.createElement("span"), text = document.createElement("bdi");
     Object.assign(input, { type: "radio", name, value: String(index) });
     if (keys[index]) words.append(Object.assign(document.createElement("kbd"), { textContent: keys[index] }));
-    words.append(label);
+    text.append(...typeset(label)); // one item of the row, with its indices
+    words.append(text);
     choice.append(input, words);
     group.append(choice);
   });
@@ -62,7 +63,8 @@ function fillValues(table, pixel, pictures) {
   const four = (/** @type {(channel: number) => string | undefined} */ text) => [0, 1, 2, 3].map((c) => text(c) ?? "–");
   const row = (/** @type {string} */ name, /** @type {string[]} */ cells, /** @type {string} */ kind) => {
     const tr = document.createElement("tr"), head = document.createElement("th");
-    Object.assign(head, { scope: kind === "th" ? "col" : "row", textContent: name });
+    head.scope = kind === "th" ? "col" : "row";
+    head.append(...typeset(name));
     tr.append(head, ...cells.map((textContent) => Object.assign(document.createElement(kind), { textContent })));
     return tr;
   };

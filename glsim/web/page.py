@@ -10,6 +10,7 @@ from __future__ import annotations
 import base64
 import io
 import json
+import re
 from collections.abc import Mapping, Sequence
 from functools import cache
 from html import escape
@@ -23,6 +24,9 @@ from glsim.metrics import metrics
 
 SCRIPTS = ("png.js", "stage.js", "controls.js", "hands.js", "viewer.js", "compare.js")
 MANY = 4  # strips: a page with more has a table of contents
+SYMBOL = re.compile(  # k_d and w_1, but no file's name; x^n
+    r"(?<![\w./-])(?P<letter>[A-Za-z])_(?P<index>\d+|[A-Za-z])(?![\w./])|(?<=[\w)])\^(?P<exponent>\d+|[A-Za-z])(?!\w)"
+)
 FITTING = "max-width: 100%; height: auto"
 LABELS = {"max": "Max", "mean": "Mean", "rmse": "RMSE", "different": "Different", "ssim": "SSIM", "flip": "FLIP"}
 MEANINGS = {
@@ -57,6 +61,7 @@ class Strip(NamedTuple):
     reference: the index of the picture from which differences are taken.
     status: "failed" and "passed" are marked, and failed strips come first; any other word is shown as it is.
     notes: sentences under the title.
+    gain: how many times a difference is amplified at first.
     metrics: for each picture its numbers against the reference, None where there are none; if empty, they are
         computed by glsim.metrics for all pictures of the reference's size.
     """
@@ -67,6 +72,7 @@ class Strip(NamedTuple):
     status: str = ""
     notes: Sequence[str] = ()
     metrics: Sequence[Mapping[str, float] | None] = ()
+    gain: int = 8
 
 
 def element(strip: Strip) -> str:
@@ -87,7 +93,7 @@ def page(title: str, strips: Sequence[Strip], about: str = "") -> str:
     body = "\n".join(
         f'<section id="strip-{number}">\n{_strip(strip, "h2")}\n</section>' for number, strip in enumerate(ordered, 1)
     )
-    paragraphs = "\n".join(f"<p>{escape(text)}</p>" for text in about.split("\n\n") if text.strip())
+    paragraphs = "\n".join(f"<p>{typeset(text)}</p>" for text in about.split("\n\n") if text.strip())
     return _encodable(f"""<!doctype html>
 <html lang="en">
 <head>
@@ -119,6 +125,16 @@ def page(title: str, strips: Sequence[Strip], about: str = "") -> str:
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 
 
+def typeset(text: str) -> str:
+    """Text as HTML, in which "k_d" has an index and "x^n" an exponent; viewer.js does the same (``typeset``)."""
+
+    def symbol(found: re.Match[str]) -> str:
+        letter, index, exponent = found.groups()
+        return f"{letter}<sub>{index}</sub>" if letter else f"<sup>{exponent}</sup>"
+
+    return SYMBOL.sub(symbol, escape(text))
+
+
 def _contents(strips: Sequence[Strip]) -> str:
     """How many strips there are of each status and, when there are many, links to them."""
     groups: dict[str, list[str]] = {}
@@ -142,11 +158,12 @@ def _strip(strip: Strip, heading: str) -> str:
         count = len(strip.pictures)
         raise ValueError(f"strip {strip.title!r}: picture {strip.reference} is the reference, but there are {count}")
     figures = "\n".join(_figure(strip, picture) for picture in strip.pictures)
-    notes = "".join(f"<p>{escape(note)}</p>" for note in strip.notes)
+    notes = "".join(f"<p>{typeset(note)}</p>" for note in strip.notes)
     status = f' <span class="status" data-status="{escape(strip.status)}">{escape(strip.status)}</span>'
     data = {
         "title": strip.title,
         "reference": strip.reference,
+        "gain": strip.gain,
         "pictures": [
             {
                 "name": picture.name,
@@ -157,7 +174,7 @@ def _strip(strip: Strip, heading: str) -> str:
         ],
     }
     return f"""<glsim-compare data-lm-suppress-shortcuts="true">
-<{heading}>{escape(strip.title)}{status if strip.status else ""}</{heading}>{notes}
+<{heading}>{typeset(strip.title)}{status if strip.status else ""}</{heading}>{notes}
 {figures}
 {_table(strip)}
 <script type="application/json">{_json(data)}</script>
@@ -181,7 +198,7 @@ def _figure(strip: Strip, picture: Picture) -> str:
     return (
         f'<figure><img loading="lazy" decoding="async" width="{width}" height="{height}" style="{FITTING}" '
         f'alt="{alt}" src="{uri}">'
-        f"<figcaption><b>{escape(picture.name)}</b> {escape(picture.caption)}</figcaption></figure>"
+        f"<figcaption><b>{typeset(picture.name)}</b> {typeset(picture.caption)}</figcaption></figure>"
     )
 
 
@@ -196,7 +213,7 @@ def _table(strip: Strip) -> str:
     )
     body = []
     for number, (picture, row) in enumerate(zip(strip.pictures, rows, strict=True)):
-        name = f'<th scope="row">{escape(picture.name)}</th>'
+        name = f'<th scope="row">{typeset(picture.name)}</th>'
         if number == strip.reference:
             cells = f'<td colspan="{len(keys) or 1}">reference</td>'
         elif row is None:
@@ -205,7 +222,7 @@ def _table(strip: Strip) -> str:
         else:
             cells = "".join(f"<td>{_number(key, row[key]) if key in row else ''}</td>" for key in keys)
         body.append(f"<tr>{name}{cells}</tr>")
-    against = f'<th scope="col">Against {escape(strip.pictures[strip.reference].name)}</th>'
+    against = f'<th scope="col">Against {typeset(strip.pictures[strip.reference].name)}</th>'
     return f"<table><thead><tr>{against}{heads}</tr></thead><tbody>{''.join(body)}</tbody></table>"
 
 

@@ -14,6 +14,21 @@ const LEGIBLE = 44; // from this scale on, a pixel has room for its values
 const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) =>
   Math.max(low, Math.min(high, value));
 
+const SYMBOL = /(?<![\w./-])([A-Za-z])_(\d+|[A-Za-z])(?![\w./])|(?<=[\w)])\^(\d+|[A-Za-z])(?!\w)/g;
+
+/** Text in which "k_d" has an index and "x^n" an exponent, as page.py writes it.
+ * @param {string} text @returns {(string | HTMLElement)[]} */
+function typeset(text) {
+  const parts = [];
+  let at = 0;
+  for (const { 0: found, 1: letter, 2: index, 3: exponent, index: start } of text.matchAll(SYMBOL)) {
+    parts.push(text.slice(at, start) + (letter || ""));
+    parts.push(Object.assign(document.createElement(letter ? "sub" : "sup"), { textContent: index || exponent }));
+    at = start + found.length;
+  }
+  return [...parts, text.slice(at)];
+}
+
 /** One canvas with the panels of a strip: a picture, a difference, two beside a divider, or all side by side. */
 class Stage {
   /** @param {HTMLCanvasElement} canvas @param {{width: number, height: number}} size  of the strip's largest picture */
@@ -175,17 +190,29 @@ class Stage {
     const place = this.place(box), above = labelTop !== undefined;
     const x = above ? Math.max(clip.x, place.left) : clip.x + 6;
     const y = above ? Math.max(labelTop, place.top - 29) : clip.y + 6;
-    pen.font = "600 14px system-ui, sans-serif";
     pen.textAlign = "left";
     pen.textBaseline = "middle";
-    const width = Math.min(pen.measureText(label).width + 16, clip.x + clip.width - x - 6);
+    const runs = typeset(label).map((part) => {
+      const [text, size, drop] = typeof part === "string" ? [part, 14, 0]
+        : [part.textContent || "", 10, part.localName === "sub" ? 4 : -4];
+      pen.font = `600 ${size}px system-ui, sans-serif`;
+      return { text, font: pen.font, drop, width: pen.measureText(text).width };
+    });
+    const whole = runs.reduce((sum, run) => sum + run.width, 0);
+    const width = Math.min(whole + 16, clip.x + clip.width - x - 6);
     if (width < 24) return;
     pen.fillStyle = paper;
     pen.beginPath();
     pen.roundRect(x, y, width, 24, 5);
     pen.fill();
     pen.fillStyle = ink;
-    pen.fillText(label, x + 8, y + 12.5, width - 16);
+    let left = x + 8;
+    for (const { text, font, drop, width: own } of runs) {
+      const room = (own * (width - 16)) / whole; // narrower where the label does not fit
+      pen.font = font;
+      pen.fillText(text, left, y + 12.5 + drop, room);
+      left += room;
+    }
   }
 }
 

@@ -33,7 +33,7 @@ class Viewer {
     this.current = 0;
     this.previous = this.pictures.length > 1 ? 1 : 0; // the picture that Space goes back to
     this.view = "picture";
-    this.gain = 8;
+    this.gain = GAINS.includes(this.data.gain) ? this.data.gain : 8;
     this.divider = 0.5;
     /** @type {{hover: Point?, mark: Point?, point: Point?}} */
     this.marks = { hover: null, mark: null, point: null };
@@ -218,8 +218,9 @@ class Viewer {
 
   /** @param {string} name @param {string} words */
   caption(name, words) {
-    const bold = Object.assign(document.createElement("b"), { textContent: name });
-    this.$(".captions p:last-child").replaceChildren(bold, ` ${words}`);
+    const bold = document.createElement("b");
+    bold.append(...typeset(name));
+    this.$(".captions p:last-child").replaceChildren(bold, " ", ...typeset(words));
   }
 
   /** The equation of the point nearest to the marked pixel, if one is within the points' grid. */
@@ -229,8 +230,8 @@ class Viewer {
     this.marks.point = found && { x: found[0], y: found[1] };
     this.$(".equation").hidden = !mark || !this.pictures.some((picture) => picture.equations.length);
     if (!mark) return;
-    this.$(".equation h4").textContent = found ? `${name} at (${found[0]}, ${found[1]})` : name;
-    this.$(".equation pre").textContent = found ? found[2] : "There is no equation near this pixel.";
+    this.$(".equation h4").replaceChildren(...typeset(found ? `${name} at (${found[0]}, ${found[1]})` : name));
+    this.$(".equation pre").replaceChildren(...typeset(found ? found[2] : "There is no equation near this pixel."));
   }
 
   draw() {

@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
+import glsim
 from glsim.cli import main
 from glsim.course.asking import Answers
 from glsim.course.cells import lessons
 from glsim.course.checking import judged
-from glsim.course.exercise import Definition, Drawn, Exercise, exercises
+from glsim.course.exercise import Definition, Drawn, Exercise, Picture, exercises
 from glsim.course.handout import hints, starter
+from glsim.course.isolation import Separate
+from glsim.course.redrawing import redrawn
 from glsim.machine.frame import Frame
+from glsim.render.context import drawn
 from tests.course.grading import VARIANTS, changed, marks_of, solution_of, variants_of
 
 EXERCISES = exercises()
@@ -28,7 +35,10 @@ WRONG = [
 ]
 
 
-@pytest.mark.parametrize("one", EXERCISES, ids=lambda one: one.name)
+ASKED = [pytest.param(one, id=one.name, marks=pytest.mark.slow if one.definition.program else ()) for one in EXERCISES]
+
+
+@pytest.mark.parametrize("one", ASKED)
 def test_right_solutions_get_all_points(one: Exercise, tmp_path: Path) -> None:
     variants = variants_of(one.name).RIGHT
     assert len(variants) >= 2, "two solutions beside the reference, written differently"
@@ -38,7 +48,7 @@ def test_right_solutions_get_all_points(one: Exercise, tmp_path: Path) -> None:
         assert result.points == one.points
 
 
-@pytest.mark.parametrize("one", EXERCISES, ids=lambda one: one.name)
+@pytest.mark.parametrize("one", ASKED)
 def test_the_starter_fails_with_a_hint(one: Exercise, tmp_path: Path) -> None:
     result = marks_of(one, starter(one), tmp_path)
     assert result.first_failure is not None
@@ -65,6 +75,23 @@ def test_every_exercise_belongs_to_a_lesson_that_names_it() -> None:
         assert f"Exercise {one.number}" in text, f"lesson {lesson.number} does not name exercise {one.number}"
 
 
+def test_whatever_names_an_exercise_names_its_lesson(capsys: pytest.CaptureFixture[str]) -> None:
+    """Exercise 3 belongs to lesson 7: a number alone would be taken for the other."""
+    belongs = {str(one.number): f"{one.number} (lesson {one.definition.lesson}):" for one in EXERCISES}
+    for lesson in lessons():
+        for cell in lesson.cells:
+            for number in re.findall(r"\bExercises? (\d+)", cell.source):
+                assert f"Exercise {belongs[number]}" in cell.source, f"{lesson.name}: exercise {number}"
+    assert main(["exercise", "list"]) == 0
+    listed = capsys.readouterr().out.splitlines()
+    assert [f"(lesson {one.definition.lesson})" in line for one, line in zip(EXERCISES, listed, strict=True)]
+    one = next(one for one in EXERCISES if one.number != one.definition.lesson)
+    assert main(["exercise", "show", str(one.number)]) == 0
+    assert one.heading in capsys.readouterr().out
+    assert one.heading in starter(one)
+    assert one.heading == f"Exercise {belongs[str(one.number)]} {one.title}"
+
+
 def test_a_frame_over_which_a_judge_stumbles_gets_no_points() -> None:
     part = Drawn("the camera", lambda frame: str(np.linalg.inv(np.zeros((4, 4)))))
     one = Exercise(Path("01_x.py"), 1, "", Definition("", 1, "", [part], program=True))
@@ -86,3 +113,20 @@ def test_a_shown_statement_keeps_the_signs_of_its_formulas(capsys: pytest.Captur
     shown = capsys.readouterr().out
     assert r"$\mathbf{\Gamma}_k$" in shown
     assert r"\sum_k \gamma_k\," in shown
+
+
+@pytest.mark.slow
+def test_drawing_a_students_frame_again_has_a_time_limit(tmp_path: Path) -> None:
+    """How much is drawn is the program's choice; within the limit it is the picture that is drawn here."""
+    one = next(one for one in EXERCISES if any(isinstance(part, Picture) for part in one.definition.parts))
+    with glsim.offscreen(32, 24), glsim.capture() as frame:
+        glsim.gl.glRectf(-0.5, -0.5, 0.5, 0.2)
+    assert np.array_equal(redrawn(frame, Separate(), 60.0), drawn(frame)[..., :3])
+    part = next(part for part in one.definition.parts if isinstance(part, Picture))
+    with Image.open(one.path.parent / part.name) as expected:
+        frame.width, frame.height = expected.size
+    frame.packets *= 300_000
+    alone = replace(one, definition=replace(one.definition, parts=[part]))
+    result = judged(alone, Answers([{}], frame), seconds=1.5)
+    assert result.points == 0
+    assert "cannot be drawn again within 1.5 seconds" in result.marks[0].hint

@@ -206,6 +206,7 @@ def test_a_crash_of_the_grader_fails_one_submission_alone(tmp_path: Path, monkey
     assert {record.submission for record in records if record.failure} == {order[3], order[6]}
 
 
+@pytest.mark.slow
 def test_a_failure_is_no_mark(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

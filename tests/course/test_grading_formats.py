@@ -147,6 +147,7 @@ def test_the_instant_is_the_commits(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert classroom50.submitted({}) > "2026", "outside of the runner git does not run in a student's folder"
 
 
+@pytest.mark.slow
 def test_junit() -> None:
     xmlschema = pytest.importorskip("xmlschema")
     xml = junit.document(all_totals()).decode()

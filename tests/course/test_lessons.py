@@ -14,8 +14,8 @@ from PIL import Image
 
 from glsim.cli import main
 from glsim.course.cells import Lesson, lesson, lessons
-from glsim.course.outputs import execute
 from glsim.testing.snapshot import Snapshot
+from tests.course.executed import outputs_of
 
 LESSONS = lessons()
 PNG, SVG = "image/png", "image/svg+xml"
@@ -97,7 +97,7 @@ def test_a_lesson_has_its_parts(one: Lesson) -> None:
 @pytest.mark.parametrize("one", LESSONS, ids=lambda one: one.name)
 def test_a_lesson_runs_and_shows_its_figures(one: Lesson, gl_snapshot: Snapshot) -> None:
     """Figures are held against approved ones, small: what they show must stay; letters and rounding may differ."""
-    outputs = execute(one)
+    outputs = outputs_of(one.name)
     question = next(k for k, cell in enumerate(one.cells) if cell.source.startswith("## Predict"))
     shown_after = [output.is_figure for output in outputs[question + 1 :]]
     assert any(shown_after), "the prediction's figure"
@@ -127,3 +127,14 @@ def test_a_shown_lesson_keeps_the_signs_of_its_formulas(capsys: pytest.CaptureFi
     formulas = re.findall(r"\$[^$]*\\,[^$]*\$", text_of(lesson("lambert")))
     assert formulas, "the lesson has a formula with a space, which Markdown would take for a comma"
     assert r"I_L\, k_d" in shown
+
+
+def test_a_shown_lesson_keeps_its_answers_until_they_are_asked_for(capsys: pytest.CaptureFixture[str]) -> None:
+    answers = "The second square is half as bright", "The cosine is flat at its top"
+    assert main(["lesson", "show", "lambert"]) == 0
+    shown = capsys.readouterr().out
+    assert not [words for words in answers if words in shown]
+    assert "show lambert --answers" in shown
+    assert main(["lesson", "show", "lambert", "--answers"]) == 0
+    shown = capsys.readouterr().out
+    assert all(words in shown for words in answers)

@@ -6,6 +6,7 @@ import base64
 import io
 import json
 import os
+import re
 from pathlib import Path
 
 import numpy as np
@@ -123,10 +124,13 @@ def test_a_page_of_the_site(tmp_path: Path) -> None:
     assert "<figcaption>Red, and <em>only</em> red</figcaption>" in text
     assert "cleared &lt;once&gt;" in text
     assert "red &amp; nothing else" in text
-    assert 'class="result awaiting"' in text.split("glClear")[-1], "the first figure after the question waits"
+    hidden = re.findall(r'<details class="answer">.*?</details>', text, re.DOTALL)
+    assert len(hidden) == 2, "what is printed and shown behind the question, up to the first figure, waits"
+    assert "cleared &lt;once&gt;" in hidden[0]
+    assert "03_red-3.png" in hidden[1]
     assert 'class="next" rel="next" href="04_again.html">Again<' in text
     assert 'class="prev"' not in text
-    assert "figures/03_red-3.png" in files[0].read_text(encoding="utf-8")
+    assert "03_red-3.png" not in files[0].read_text(encoding="utf-8"), "nor does the table of contents tell it"
 
 
 def test_a_notebook_is_valid(tmp_path: Path) -> None:
@@ -136,6 +140,8 @@ def test_a_notebook_is_valid(tmp_path: Path) -> None:
     assert [cell["cell_type"] for cell in document["cells"]] == ["code", *(cell.kind for cell in one.cells)]
     assert "".join(document["cells"][1]["source"]) == one.cells[0].source
     stream, result = document["cells"][3]["outputs"], document["cells"][4]["outputs"]
+    folded = [bool(cell["metadata"]) for cell in document["cells"]]
+    assert folded == [False, False, False, True, True, False, False]
     assert stream[0]["text"] == "cleared <once>\n"
     assert "image/png" in result[0]["data"]
     assert json.loads(notebook(one))["cells"][3]["outputs"] == []

@@ -9,9 +9,10 @@ from pathlib import Path
 import pytest
 
 from glsim.course.cells import lesson, lessons
-from glsim.course.outputs import Output, execute
+from glsim.course.outputs import Output
 from glsim.course.site import Page, write_site
 from tests.browser import Browser
+from tests.course.executed import outputs_of
 
 DRAWN = ("lambert", "direct_and_radiosity", "linear_system")  # lessons whose figures are drawn here, of each kind
 
@@ -21,7 +22,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """All lessons as pages; the figures only of some."""
     drawn = {lesson(name).name for name in DRAWN}
     pages = [
-        Page(one, execute(one) if one.name in drawn else [Output()] * len(one.cells))
+        Page(one, outputs_of(one.name) if one.name in drawn else [Output()] * len(one.cells))
         for one in lessons()
     ]  # fmt: skip
     folder = tmp_path_factory.mktemp("site")
@@ -77,14 +78,79 @@ def test_pages_fit_and_ask_nobody(site: Path, browser: Browser, width: int) -> N
         assert not [url for url in browser.requests() if not url.startswith("file:")], path.name
 
 
+class Folded(HTMLParser):
+    """The words and the pictures of a page that are seen while all <details> are closed."""
+
+    def __init__(self, page: Path) -> None:
+        super().__init__()
+        self.depth = 0
+        self.words, self.pictures = "", [""]
+        self.feed(page.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        self.depth += tag == "details"
+        if tag == "img" and not self.depth:
+            self.pictures.append(dict(attributes)["src"] or "")
+
+    def handle_endtag(self, tag: str) -> None:
+        self.depth -= tag == "details"
+
+    def handle_data(self, data: str) -> None:
+        self.words += "" if self.depth else data
+
+
+@pytest.mark.slow
+def test_no_page_tells_an_answer_before_it_is_asked_for(tmp_path: Path) -> None:
+    """Neither the page nor the table of contents, without any script: the figure, its words, answers to questions."""
+    picture, course = Output(shown={"image/png": ""}), lessons()
+    write_site(tmp_path, [Page(one, [picture if c.kind == "code" else Output() for c in one.cells]) for one in course])
+    index = Folded(tmp_path / "index.html")
+    for one in course:
+        (question,) = [k for k, cell in enumerate(one.cells) if cell.source.startswith("## Predict")]
+        awaited = f"figures/{one.name}-{question + 1}.png"
+        page = Folded(tmp_path / f"{one.name}.html")
+        assert awaited in (tmp_path / f"{one.name}.html").read_text("utf-8")
+        assert awaited not in page.pictures
+        assert awaited not in index.pictures
+        answer = "\n".join(cell.source for cell in one.cells).partition("## What you should see\n\n")[2]
+        words = max(re.split(r"\$.*?\$|[*`\n]", answer.split("\n\n")[0], flags=re.DOTALL), key=len)
+        assert len(words) > 20
+        assert words not in page.words, "what you should see is read before the question is answered"
+
+
 @pytest.mark.slow
 def test_a_prediction_hides_its_figure_until_it_is_answered(site: Path, browser: Browser) -> None:
     browser.open(site / f"{lesson('lambert').name}.html")
-    seen = "return document.querySelector('.result.awaiting figure').offsetHeight > 0"
-    assert browser.js(seen) is False
+    seen = "return [...document.querySelectorAll('.answer > :not(summary)')].map((e) => e.checkVisibility())"
+    assert browser.js(seen) == [False] * 2
+    browser.find(".code > .answer > summary").click()
+    assert browser.js(seen) == [False] * 2, "it asks for an answer first"
     browser.find(".predict li:nth-child(2) button").click()
-    assert browser.js(seen) is True
+    assert browser.js(seen) == [True] * 2
     assert browser.js("return document.querySelectorAll('.predict [aria-pressed=true]').length") == 1
+
+
+@pytest.mark.slow
+def test_paper_shows_all_answers_without_a_script(site: Path, browser: Browser) -> None:
+    seen = (
+        "return [...document.querySelectorAll('main details > :not(summary)')].map((e) => e.checkVisibility("
+        "{contentVisibilityAuto: true}) && e.offsetHeight > 0)"
+    )
+    browser.open(site / f"{lesson('lambert').name}.html")
+    assert not any(browser.js(seen))
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    try:
+        assert len(browser.js(seen)) == 3
+        assert all(browser.js(seen))
+    finally:
+        browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+
+
+@pytest.mark.slow
+def test_a_card_shows_its_whole_picture(site: Path, browser: Browser) -> None:
+    browser.open(site / "index.html")
+    fits = browser.js("return [...document.querySelectorAll('.cards img')].map((i) => getComputedStyle(i).objectFit)")
+    assert set(fits) == {"contain"}
 
 
 @pytest.mark.slow
@@ -109,8 +175,7 @@ def test_slides_show_one_cell_a_screen(site: Path, browser: Browser) -> None:
 @pytest.mark.slow
 def test_a_figure_is_enlarged(site: Path, browser: Browser) -> None:
     browser.open(site / f"{lesson('linear_system').name}.html")
-    browser.js("document.querySelectorAll('.reveal').forEach((b) => b.click());"
-               "document.querySelectorAll('.predict button')[0].click()")  # fmt: skip
+    browser.js("document.querySelectorAll('.predict button')[0].click()")
     browser.js("document.querySelector('figure.picture img').click()")
     assert browser.js("return document.querySelector('dialog.zoom').open") is True
     browser.js("document.querySelector('dialog.zoom').click()")

@@ -178,6 +178,7 @@ def test_a_released_context_says_so(screen: glsim.Offscreen) -> None:
     glFlush()
 
 
+@pytest.mark.slow
 def test_egl_and_osmesa_side_by_side() -> None:
     program = """
 import glsim
@@ -194,6 +195,7 @@ print(a.pixels()[0, 0].tolist(), b.pixels()[0, 0].tolist())
     assert done.stdout.strip() == "[0, 0, 255, 255] [0, 255, 0, 255]"
 
 
+@pytest.mark.slow
 def test_osmesa_draws_the_same() -> None:
     program = f"import glsim\nfrom glsim.gl import *\ns = glsim.offscreen(32, 32, backend='osmesa')\n{TRIANGLE}\n"
     done = python("-c", program + "print(s.backend, int((s.pixels()[..., 0] > 0).sum()))")
@@ -228,6 +230,7 @@ def test_samples_that_cannot_be() -> None:
         glsim.offscreen(8, 8, samples=1000)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the libraries of Linux are masked")
 def test_without_any_gl_library_every_attempt_is_told() -> None:
     done = python("-c", MASK + "import glsim\nglsim.offscreen(8, 8)", DISPLAY="")
@@ -257,6 +260,7 @@ def test_doctor_without_any_gl_library() -> None:
     assert "apt install" in words.stdout
 
 
+@pytest.mark.slow
 def test_doctor_here() -> None:
     done = python("-c", "from glsim.cli import main\nraise SystemExit(main(['doctor', '--json']))")
     assert done.returncode == 0, done.stderr

@@ -122,11 +122,13 @@ def without_moderngl(text: str) -> str:
     return done.stdout
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("modules", [PLAIN, DRAWING], ids=["plain", "drawing"])
 def test_no_module_of_this_half_imports_moderngl(modules: tuple[str, ...]) -> None:
     without_moderngl("\n".join(f"import glsim.render.{name}" for name in modules))
 
 
+@pytest.mark.slow
 def test_the_block_is_one() -> None:
     done = subprocess.run(
         [sys.executable, "-c", BLOCKED + "import glsim.render.context"], capture_output=True, text=True
@@ -134,6 +136,7 @@ def test_the_block_is_one() -> None:
     assert "ModuleNotFoundError" in done.stderr
 
 
+@pytest.mark.slow
 def test_the_renderer_draws_on_anything_that_has_the_protocols() -> None:
     assert without_moderngl(RECORDING) == "drawn\n"
 

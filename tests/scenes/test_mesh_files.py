@@ -167,7 +167,7 @@ def test_memory_is_limited_and_given_back(folder: Path) -> None:
 
 @posix
 def test_time_is_limited_and_the_alarm_is_put_back(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "slow.tar.gz").write_bytes(gzip.compress(bytes(300 << 20), 1))
+    (tmp_path / "slow.tar.gz").write_bytes(gzip.compress(bytes(100 << 20), 1))
     monkeypatch.setattr(reading, "SECONDS", 0.01)
     handler = signal.getsignal(signal.SIGALRM)
     refused(tmp_path / "slow.tar.gz", r"it takes longer than 0.01 s")

@@ -10,7 +10,7 @@ import trimesh
 
 from glsim.scenes import BUILT_IN, MATERIALS, MeshError, material, open_scene
 from glsim.scenes.load import from_trimesh, load
-from glsim.scenes.mesh import Mesh, with_normals
+from glsim.scenes.mesh import Mesh, unit, with_normals
 from glsim.scenes.shapes import patches, sphere, teapot, torus
 from glsim.study.compare import compare
 
@@ -76,6 +76,39 @@ def test_smooth_surfaces_get_smooth_normals_and_boxes_keep_their_edges() -> None
     mesh = with_normals(box.vertices, box.faces.astype("u4"))
     assert len(mesh.positions) == 36
     assert np.allclose(np.abs(mesh.normals).max(axis=1), 1)
+
+
+def test_at_a_crease_a_corner_keeps_the_mean_of_its_own_side() -> None:
+    """The side of a tin is as round at its rim as in its middle, and the lid is flat."""
+    tin = trimesh.creation.cylinder(1, 2, sections=12)
+    mesh = with_normals(tin.vertices, tin.faces.astype("u4"))
+    side = np.repeat(np.abs(np.asarray(tin.face_normals)[:, 2]) < 0.5, 3)
+    assert side.sum() == 24 * 3
+    assert np.allclose(mesh.normals[~side], np.sign(mesh.positions[~side]) * [0, 0, 1], atol=1e-6)
+    assert np.allclose(mesh.normals[side], mesh.positions[side] * [1, 1, 0], atol=1e-6)
+    faceted = with_normals(tin.vertices, tin.faces.astype("u4"), crease=29)
+    assert np.allclose(faceted.normals.reshape(-1, 3, 3), np.asarray(tin.face_normals)[:, None], atol=1e-6)
+
+
+@pytest.mark.parametrize("crease", [10, 40, 75, 180])
+def test_normals_are_those_of_lesson_21(crease: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Weighted with angles within the crease, evaluated pair by pair."""
+    monkeypatch.setattr("glsim.scenes.mesh.BLOCK", 50)
+    rng = np.random.default_rng(3)
+    ball = trimesh.creation.icosphere(subdivisions=2)
+    points = (np.asarray(ball.vertices) * (1 + 0.3 * rng.random((len(ball.vertices), 1)))).astype(np.float32)
+    faces = np.concatenate([ball.faces, [[0, 0, 5]]]).astype(np.uint32)  # the last has no area
+    corner = points[faces].astype(float)
+    to_next, to_last = (unit(np.roll(corner, shift, axis=1) - corner) for shift in (-1, 1))
+    face = unit(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
+    weights = np.arccos(np.clip((to_next * to_last).sum(axis=2), -1, 1))
+    meet = faces[:, :, None, None] == faces
+    close = face @ face.T >= np.cos(np.radians(crease)) - 1e-9
+    close[-1] = True  # without a normal of its own it takes all
+    expected = unit(np.einsum("acbd,ab,bd,bk->ack", meet, close, weights, face))
+    mesh = with_normals(points, faces, crease)
+    assert np.allclose(mesh.normals[mesh.triangles], expected, atol=1e-6)
+    assert (len(mesh.positions) == len(points)) is (crease == 180)
 
 
 @pytest.mark.parametrize("name", BUILT_IN)

@@ -17,7 +17,9 @@ from glsim.metrics import amplified
 from glsim.study.axes import SWEEPABLE
 from glsim.study.compare import compare
 from glsim.study.equations import equations, grid
-from glsim.study.sheet import plain, written
+from glsim.study.looks import truest as truest_of
+from glsim.study.sheet import written
+from glsim.web.page import typeset
 
 
 def test_metrics_by_hand() -> None:
@@ -47,8 +49,23 @@ def test_differences_are_amplified_and_clamped() -> None:
     assert off.shape[0] < sheet.shape[0]
 
 
+@pytest.mark.parametrize(("largest", "factor"), [(255, 1), (254, 2), (128, 2), (5, 64), (1, 64), (0, 1)])
+def test_differences_are_amplified_until_the_largest_is_white(largest: int, factor: int) -> None:
+    dark = np.zeros((32, 32, 3), np.uint8)
+    result = compare({"dark": dark, "a little": dark + np.uint8(largest // 2), "most": dark + np.uint8(largest)})
+    assert result.amplified == factor
+    assert [result.difference_words("", name)[0] for name in ("a little", "most")] == [f"difference x{factor}"] * 2
+    assert result.strips()[0].gain == factor
+    assert (np.asarray(result.sheet) == min(factor * largest, 255)).all(axis=2).sum() > 50
+
+
 def test_the_reference() -> None:
-    assert compare("cube", modes="wireframe,unlit,flat,phong", lobes="blinn", size=32).reference == "flat"
+    """Without being told, the one that the others approximate."""
+    for modes, truest in (("wireframe,unlit,flat,phong:flip,phong", "phong:flip"), ("flat,gouraud", "gouraud"),
+                          ("hidden-line,unlit", "hidden-line")):  # fmt: skip
+        assert compare("cube", modes=modes, lobes="blinn", size=32).reference == truest
+    assert truest_of(["gouraud", "phong", "direct", "radiosity", "pyrender"]) == "radiosity"
+    assert truest_of(["expected.png", "actual.png"]) == "expected.png"
     result = compare("cube", modes="wireframe,flat,gouraud,phong", lobes="blinn", size=32, reference="smooth")
     assert {row["reference"] for row in result.metrics} == {"gouraud"}
     assert result.difference("blinn", "gouraud").max() == 0
@@ -65,7 +82,9 @@ def test_pages_are_filled(layout: str, ratio: float) -> None:
 
 
 def test_indices_and_exponents() -> None:
-    assert plain("C = w_1 I(N_1),  k_d (N·L)^n") == "C = w₁ I(N₁),  k_d (N·L)ⁿ"
+    assert typeset("w_1 k_d <(N·L)^n") == "w<sub>1</sub> k<sub>d</sub> &lt;(N·L)<sup>n</sup>"
+    for name in ("test_a", "a_b.png", "GL_LIGHT_0", "k_dd", "x/a_b", "a ^ b"):
+        assert typeset(name) == name, "no symbol of a formula"
     assert written("k_d", 20).width < written("kd", 20).width < written("k d", 20).width
     assert not np.array_equal(np.asarray(written("k_d", 20)), np.asarray(written("k^d", 20)))
     assert written("file_name.png", 20).width > written("filename.png", 20).width
@@ -111,13 +130,14 @@ def test_large_meshes_have_fewer_equations() -> None:
 
 
 def test_notebooks_and_pages_show_the_element(tmp_path: Path, coarse: None) -> None:
-    result = compare("cube", modes="gouraud,native", size=32, captions={"gouraud": "<b>"})
+    result = compare("cube", modes="gouraud,native", lobes="blinn,phong", size=32, captions={"gouraud": "<b>"})
     assert result._repr_html_().count("</glsim-compare>") == 2
     result.save(tmp_path / "page.html")
     text = (tmp_path / "page.html").read_text()
     assert text.count("</glsim-compare>") == 2
     assert "&lt;b&gt;" in text
-    assert "fixed function has (N·H)ⁿ only" in text
+    assert "fixed function has (N·H)<sup>n</sup> only" in text
+    assert "I(N) = k<sub>a</sub> I<sub>a</sub> +" in text
     assert "N·L = " in text
     assert [path.name for path in tmp_path.iterdir()] == ["page.html"]
     with pytest.raises(FileNotFoundError, match="there is no folder"):
@@ -139,6 +159,12 @@ def test_pyrender_draws_all_its_cells_at_once(monkeypatch: pytest.MonkeyPatch) -
     assert asked == [2]
     assert [result.images[row, "pyrender"][0, 0, 0] for row in ("jade", "ruby")] == [0, 1]
     assert result.notes == ["something is left out"]
+    assert compare("cube", modes="phong,pyrender", size=32).rows.names == ["blinn"], "it has one lobe"
+    both = compare("cube", modes="phong,pyrender", lobes="blinn,phong", size=32)
+    assert asked == [2, 1, 1]
+    assert set(both.images) == {("blinn", "phong"), ("blinn", "pyrender"), ("phong", "phong")}
+    assert both.cells["phong", "pyrender"].words == "pyrender has one lobe only, drawn once"
+    assert set(compare("cube", modes="pyrender", lobes="phong", size=32).images) == {("phong", "pyrender")}
 
 
 # ---------------------------------------------------------------- command line

@@ -30,7 +30,9 @@ def test_a_diagnosis_fires(kind: str, screen: glsim.Offscreen) -> None:
     assert "{" not in found.sentence
 
 
-@pytest.mark.parametrize("kind", BAD)
+@pytest.mark.parametrize(
+    "kind", [pytest.param(kind, marks=pytest.mark.slow if kind == "highlight-lost" else ()) for kind in BAD]
+)
 def test_a_diagnosis_is_silent_on_the_mended_program(kind: str, screen: glsim.Offscreen) -> None:
     assert kinds(BAD[kind], True) == []
 
@@ -39,7 +41,9 @@ def test_every_diagnosis_is_tested() -> None:
     assert {*BAD, "error", "missing-buffer", "never-swapped"} == set(RULES)
 
 
-@pytest.mark.parametrize("slices", [3, 4, 5, 6, 7, 8, 10, 12, 16, 24])
+@pytest.mark.parametrize(
+    "slices", [3, 4, 5, 6, 7, *(pytest.param(n, marks=pytest.mark.slow) for n in (8, 10, 12, 16, 24))]
+)
 def test_coarse_spheres_lose_their_highlight(slices: int) -> None:
     assert [entry.kind for entry in glsim.trace(f"sphere:{slices}").mistakes] == ["highlight-lost"]
 

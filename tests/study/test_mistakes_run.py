@@ -50,6 +50,7 @@ def written(folder: Path, *bad: str) -> str:
     return program_file(folder, text)
 
 
+@pytest.mark.slow
 def test_the_last_line_of_a_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     script = written(tmp_path, "LAMP", "IDENTITY")
     assert main(["run", script, "--out", str(tmp_path / "out")]) == 0
@@ -59,6 +60,7 @@ def test_the_last_line_of_a_run(tmp_path: Path, capsys: pytest.CaptureFixture[st
     )
 
 
+@pytest.mark.slow
 def test_a_run_as_json_and_one_without_mistakes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", written(tmp_path, "SWAP"), "--out", str(tmp_path / "out"), "--json"]) == 0
     (found,) = json.loads(capsys.readouterr().out)["mistakes"]

@@ -49,7 +49,9 @@ def test_every_plot_draws_within_its_axes_and_says_what_it_is(tmp_path: Path) ->
         assert (tmp_path / f"{name}.svg").read_text().endswith("</svg>\n"), name
 
 
-@pytest.mark.parametrize("name", ["form_factor_distance", "lobes", "matrix"])
+@pytest.mark.parametrize(
+    "name", ["matrix", *(pytest.param(name, marks=pytest.mark.slow) for name in ("form_factor_distance", "lobes"))]
+)
 def test_an_svg_is_the_same_each_time_and_its_clips_are_its_own(name: str) -> None:
     svg = ALL[name]().svg()
     assert svg == ALL[name]().svg()

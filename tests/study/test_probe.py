@@ -61,7 +61,7 @@ def test_the_equation_gives_the_pixel_in_every_program(group: int, screen: glsim
 
 @pytest.mark.parametrize("mode", ["flat", "gouraud", "phong"])
 @pytest.mark.parametrize("lobe", ["blinn", "phong"])
-@pytest.mark.parametrize("scene", ["teapot", "spheres", "low-terrain"])
+@pytest.mark.parametrize("scene", ["teapot", pytest.param("spheres", marks=pytest.mark.slow), "low-terrain"])
 def test_the_equation_gives_the_pixel_in_scenes(scene: str, mode: str, lobe: str) -> None:
     frame = shaded(glsim.frame_of(scene, size=128), mode, lobe)
     other = glsim.offscreen(128, 128)

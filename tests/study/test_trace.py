@@ -145,6 +145,7 @@ glutMainLoop()
     assert "--frame is for programs" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_an_error_that_ends_a_program_is_told(tmp_path: Path) -> None:
     script = tmp_path / "frustum.py"
     script.write_text("""

@@ -176,6 +176,51 @@ def test_objects_that_a_test_leaves_behind_fail(project: pytest.Pytester) -> Non
     result.stdout.fnmatch_lines(["*leaves GL objects behind: 1 texture (1)*2 display lists (1, 2)*"])
 
 
+def test_what_a_test_leaves_open_fails(project: pytest.Pytester) -> None:
+    project.makepyfile(
+        test_open=DRAWN
+        + """
+    def test_begin(gl):
+        glBegin(GL_TRIANGLES)
+    def test_list(gl):
+        glNewList(3, GL_COMPILE)
+    def test_next(gl, gl_snapshot):
+        draw()
+        gl_snapshot(gl)
+    """
+    )
+    result = project.runpytest_inprocess("--gl-update")
+    result.assert_outcomes(passed=1, failed=2)
+    result.stdout.fnmatch_lines(
+        ["*leaves glBegin(GL_TRIANGLES) open: *glEnd is missing.", "*leaves glNewList(3, ...) open: glEndList is*"]
+    )
+
+
+def test_a_traceback_shows_the_tests_lines_alone(project: pytest.Pytester) -> None:
+    project.makepyfile(
+        test_wrong=DRAWN
+        + """
+    def wrong():
+        glEnable(GL_LIGHTING, "my line")
+        1 / 0
+    def test_nothing(gl_snapshot): gl_snapshot(None)
+    def test_tolerance(gl_snapshot): gl_snapshot([[0.0]], least=3)
+    def test_begin(gl, gl_snapshot):
+        glBegin(GL_TRIANGLES)
+        gl_snapshot(gl)
+    def test_function(gl_snapshot): gl_snapshot(wrong)
+    """
+    )
+    result = project.runpytest_inprocess()
+    result.assert_outcomes(failed=4)
+    text = result.stdout.str()
+    assert "1 / 0" in text
+    assert "glsim/testing" not in text
+    assert "glsim/images" not in text
+    assert "glsim/machine" not in text
+    assert "glsim/testing/snapshot.py" in project.runpytest_inprocess("--full-trace", "-k", "nothing").stdout.str()
+
+
 def test_another_renderer(project: pytest.Pytester) -> None:
     """Its rounding passes, its other pictures do not; an approved one of its own lies beside."""
     text = """

@@ -34,8 +34,68 @@ def test_the_report(project: pytest.Pytester, capsys: pytest.CaptureFixture[str]
     assert main(["snapshots", "list", "artifact", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert [(entry["status"], entry["name"]) for entry in told["snapshots"]] == [("failed", ""), ("missing", "first")]
-    assert project.runpytest_inprocess("--gl-report", "artifact", "-k", "nothing").ret == 5
-    assert not (folder / "candidates").exists(), "nothing of an earlier run is left"
+    ball(project)
+    assert project.runpytest_inprocess("--gl-report", "artifact").ret == 0
+    assert not (folder / "candidates").exists(), "nothing of an earlier run is left: one test passed, the other is gone"
+
+
+def test_a_run_replaces_what_is_said_of_the_tests_that_ran(
+    project: pytest.Pytester, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Failed, missing and unused pictures of other tests wait for approval until their tests run, or are gone."""
+    more = "\n    def test_{0}(gl_snapshot):\n        gl_snapshot(np.full((4, 4), {1}))\n"
+    ball(project, more=more.format("fails", 0.1) + more.format("old", 0.2))
+    project.makepyfile(test_other="def test_passes(gl_snapshot): gl_snapshot([[0.0]])")
+    project.runpytest_inprocess("--gl-update").assert_outcomes(passed=4)
+    ball(project, more=more.format("fails", 0.9) + more.format("new", 0.3))
+
+    def waiting(*arguments: str) -> tuple[int, list[str], list[str]]:
+        run = project.runpytest_inprocess(*arguments).ret
+        capsys.readouterr()
+        if main(["snapshots", "list", "--json"]) != 0:
+            return int(run), [], []
+        told = json.loads(capsys.readouterr().out)
+        pictures = {path.name for path in project.path.glob("gl-report/candidates/**/*.png")}
+        assert {f"{entry['base']}.png" for entry in told["snapshots"]} == pictures, "each has its picture"
+        return int(run), sorted(entry["base"] for entry in told["snapshots"]), told["unused"]
+
+    old = ["__gl_snapshots__/test_ball/test_old.png"]
+    assert waiting() == (1, ["test_fails", "test_new"], old), "an unused baseline is told while another test fails"
+    assert waiting("test_other.py") == (0, ["test_fails", "test_new"], old)
+    assert waiting("test_ball.py::test_ball") == (0, ["test_fails", "test_new"], old)
+    assert waiting("-k", "absent") == (5, ["test_fails", "test_new"], old)
+    assert waiting("test_ball.py::test_fails", "--gl-update") == (0, ["test_new"], old)
+    assert main(["snapshots", "clean"]) == 0
+    assert not png(project, "test_old").exists()
+    assert main(["snapshots", "approve"]) == 0
+    assert waiting("test_ball.py::test_new") == (0, [], []), "all is said"
+    assert not (project.path / "gl-report" / "index.html").exists()
+    assert waiting() == (0, [], [])
+
+
+def test_a_test_that_fails_keeps_what_may_be_its_baselines(project: pytest.Pytester) -> None:
+    """It may have failed before it took them all."""
+    text = """
+    import numpy as np, pytest
+    def test_it(gl_snapshot):
+        gl_snapshot(np.zeros((4, 4)))
+        assert not {0}
+        gl_snapshot(np.zeros((4, 4)), "Second, " + 9 * "a long name ")
+    @pytest.mark.xfail
+    def test_it_too(gl_snapshot):
+        assert not {0}
+        gl_snapshot(np.zeros((4, 4)))
+    """
+    project.makepyfile(test_it=text.replace("{0}", "False"))
+    project.runpytest_inprocess("--gl-update").assert_outcomes(passed=1, xpassed=1)
+    folder = png(project, file="test_it").parent
+    assert len(list(folder.iterdir())) == 3
+    (folder / "test_items.png").write_bytes((folder / "test_it.png").read_bytes())
+    project.makepyfile(test_it=text.replace("{0}", "True"))
+    result = project.runpytest_inprocess()
+    result.assert_outcomes(failed=1, xfailed=1)
+    unused = [line for line in result.stdout.lines if line.startswith("unused baseline")]
+    assert unused == ["unused baseline: __gl_snapshots__/test_it/test_items.png"]
 
 
 def test_a_downloaded_report_is_approved(project: pytest.Pytester, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,34 +3,40 @@
 
 const cells = [...document.querySelectorAll(".cell")];
 
-// ---- A figure that a question asks for stays hidden until the question is answered.
+// ---- The answer to a question, its figure and its words, opens when the reader has chosen one.
 
-for (const result of document.querySelectorAll(".result.awaiting")) {
-  const question = cells.slice(0, cells.indexOf(result.closest(".cell"))).reverse().find((cell) => cell.classList.contains("predict"));
-  const reveal = () => {
-    result.classList.remove("hidden-until-answered");
-    result.querySelector(".reveal")?.remove();
-  };
-  result.classList.add("hidden-until-answered");
-  const options = [...(question?.querySelectorAll("ul > li") ?? [])];
-  for (const option of options) {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.setAttribute("aria-pressed", "false");
-    button.append(...option.childNodes);
-    option.append(button);
-    button.addEventListener("click", () => {
-      for (const other of question.querySelectorAll("li > button")) other.setAttribute("aria-pressed", String(other === button));
-      reveal();
-    });
-  }
+const question = document.querySelector(".predict");
+const answers = [...document.querySelectorAll("details.answer")];
+const options = [...(question?.querySelectorAll("ul > li") ?? [])];
+for (const option of options) {
   const button = document.createElement("button");
   button.type = "button";
-  button.className = "reveal";
-  button.textContent = options.length ? "Choose an answer above, then see the figure" : "Show the figure";
-  button.addEventListener("click", () => (options.length ? question.scrollIntoView({ block: "center" }) : reveal()));
-  result.append(button);
+  button.setAttribute("aria-pressed", "false");
+  button.append(...option.childNodes);
+  option.append(button);
+  button.addEventListener("click", () => {
+    for (const other of options) other.firstChild.setAttribute("aria-pressed", String(other === option));
+    for (const answer of answers) answer.open = true;
+  });
 }
+for (const answer of answers) {
+  answer.querySelector("summary").addEventListener("click", (event) => {
+    if (!options.length || question.querySelector("[aria-pressed=true]")) return;
+    event.preventDefault();
+    question.scrollIntoView({ block: "center" });
+  });
+}
+
+// ---- Paper shows everything; browsers that know ::details-content need no script for it.
+
+let unfolded = [];
+addEventListener("beforeprint", () => {
+  unfolded = [...document.querySelectorAll("main details:not([open])")];
+  for (const details of unfolded) details.open = true;
+});
+addEventListener("afterprint", () => {
+  for (const details of unfolded) details.open = false;
+});
 
 // ---- A click shows a picture alone on the screen.
 

@@ -35,9 +35,10 @@ def write(folder: Path, total: Total) -> Path:
 
 
 def submitted(environment: Mapping[str, str]) -> str:
-    """The instant of the commit that Classroom 50's runner grades in the current folder, in UTC; else that of now.
+    """The instant of the commit that Classroom 50's runner grades in the current folder, in UTC; without a
+    runner the present instant.
 
-    Git runs nowhere else: what a student's folder says about its configuration can start programs."""
+    Git runs in no other folder, because the configuration that lies in a student's folder can start programs."""
     if "SUBMISSION_TAG" in environment:
         safe = ["-c", "safe.directory=*", "-c", "log.showSignature=false", "-c", "core.fsmonitor=false"]
         command = ["git", *safe, "log", "-1", "--format=%ct"]

@@ -41,7 +41,7 @@ def results(total: Total) -> dict[str, Any]:
 
 
 def _lines(record: Record) -> list[str]:
-    head = f"{int(record.exercise[:2])}. {record.title}: {record.points} of {record.most} points"
+    head = f"{record.title}: {record.points} of {record.most} points"
     return [f"{head} ({record.note})" if record.note else head]
 
 

@@ -85,8 +85,7 @@ def _exercise_card(records: Sequence[Record]) -> str:
         _part_statistics(part.about, [record.parts[number] for record in judged])
         for number, part in enumerate(first.parts)
     )
-    title = f"{int(first.exercise[:2])}. {first.title}"
-    return _card(title, [record.points for record in judged], first.most, f"<ul>{parts}</ul>")
+    return _card(first.title, [record.points for record in judged], first.most, f"<ul>{parts}</ul>")
 
 
 def _card(title: str, values: Sequence[int], most: int, below: str) -> str:
@@ -162,7 +161,7 @@ def _details(record: Record) -> str:
     parts = "".join(_part(part) for part in record.parts) if record.file and not record.failure else ""
     printed = f"<pre>{escape(record.printed)}</pre>" if record.printed else ""
     points = "not graded" if record.failure else f"{record.points} of {record.most}"
-    head = f"<h4>{int(record.exercise[:2])}. {escape(record.title)} <span>{points}</span></h4>"
+    head = f"<h4>{escape(record.title)} <span>{points}</span></h4>"
     return f"<section>{head}{notes}<ul>{parts}</ul>{printed}</section>"
 
 

@@ -101,7 +101,7 @@ def _task(submission: Submission, one: Exercise, chosen: Chosen | str | Exceptio
         submission.name,
         submission.slug,
         one.name,
-        one.title,
+        one.heading,
         tuple(Part(part.about, 0, part.points) for part in one.definition.parts),
         file=chosen.place if isinstance(chosen, Chosen) else "",
         note=chosen.note if isinstance(chosen, Chosen) else chosen if isinstance(chosen, str) else "",

@@ -52,7 +52,8 @@ class Chosen:
 
 
 def submissions(folder: Path, besides: Path | None = None) -> list[Submission]:
-    """The submissions in a folder, in the order of their names.  besides: an entry that is none, the folder of results.
+    """The submissions in a folder, in the order of their names.  besides: the entry that
+    is no submission: the folder of results.
 
     Raises ValueError if there are none, FileNotFoundError or NotADirectoryError if there is no such folder."""
     entries = [Path(folder, name) for name in sorted(os.listdir(folder), key=os.fsencode) if not is_junk(name)]

@@ -45,7 +45,8 @@ def _points(record: Record) -> str:
 
 
 def first_sentence(total: Total) -> str:
-    """The first thing to say about a submission; that a file is missing comes after what is said about files."""
+    """The first thing to say about a submission.  What is said about a file comes before the sentence that one is
+    missing."""
     sentences = [
         sentence
         for record in sorted(total.records, key=lambda record: not record.file)

@@ -21,7 +21,7 @@ def environment() -> dict[str, str]:
 
 
 def readable() -> list[str]:
-    """What Python and glsim need to read besides /usr: folders, those that hold others first."""
+    """The folders that Python and glsim need to read besides /usr; one that holds another comes before it."""
     glsim = [ROOT / name for name in ("glsim", "shaders", "lessons")]
     packages = [Path(path) for path in sys.path if "site-packages" in path]
     needed = [Path(sys.base_prefix), Path(sys.prefix), *glsim, *packages]

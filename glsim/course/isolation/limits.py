@@ -1,7 +1,7 @@
 """Isolation where bubblewrap does not work: resource limits, alone or with Landlock.
 
-For root the command runs as a user of its own, one for each run, which nothing belongs to: limits of processes do not
-hold for root, and no other process may be touched.  That user keeps one right, to read all files, because Python may
+If root grades, each command runs as a user of its own, who owns nothing: limits of processes do not hold for root, and
+another user's processes cannot be touched.  That user keeps one right, to read all files, because Python may
 lie in root's folder; Landlock takes it back.
 """
 
@@ -55,7 +55,8 @@ class Limits:
 
 
 class Landlock(Limits):
-    """And Landlock: reads Python, glsim and its own folder, writes ``out`` and a folder for scratch, uses no TCP."""
+    """The same limits and Landlock: the command may read Python, glsim and its own folder, write ``out`` and a folder
+    for scratch, and use no TCP."""
 
     name = "Landlock"
 

@@ -151,7 +151,8 @@ class PerspectiveAgain(Rule):
 
 
 def again(self: Rule, seen: Seen, stack: str, is_it: Callable[[Call], bool], word: str) -> Findings:
-    """The last such call in a product that has two of them, or that nothing begins anew when it is made again."""
+    """The last of the calls asked for in a product of matrices, if there are two of them, or if it is made again and
+    again and nothing begins the product anew."""
     matrices = seen.provenance.chains[stack]
     named = self.calls_of(matrices[-1], is_it)
     if not named:

@@ -67,9 +67,9 @@ COLOR_NAMES = (gl.GL_AMBIENT, gl.GL_DIFFUSE, gl.GL_SPECULAR, gl.GL_EMISSION, gl.
 
 @rule
 class ColorIgnored(Rule):
-    """A colour that only lit draws without GL_COLOR_MATERIAL see.  Silent for white; for a colour that a draw without
-    light or a raster position sees too; where the program sets the material: unless one material stands for several
-    colours."""
+    """A colour that no draw uses but lit ones without GL_COLOR_MATERIAL.  Silent for white; for a colour that a draw
+    without light or a raster position uses too; and where the program sets materials, unless one material stands for
+    several colours."""
 
     kind, topic = "color-ignored", TOPIC
     looks_at = "glColor that lighting ignores"
