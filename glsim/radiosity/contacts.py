@@ -58,7 +58,7 @@ def cut(cell: Float, segments: Segments, normal: Float, scale: float) -> list[Fl
     for a, b in segments:
         pieces = [part for piece in pieces for part in _halves(piece, a, b, normal, TOUCHING * scale)]
     whole = area_of(cell)
-    return [part for piece in pieces for part in _at_most_four(piece) if area_of(part) > SLIVER * whole]
+    return [part for piece in pieces for part in at_most_four(piece) if area_of(part) > SLIVER * whole]
 
 
 def _halves(piece: Float, a: Float, b: Float, normal: Float, tolerance: float) -> list[Float]:
@@ -102,7 +102,7 @@ def _goes_through(piece: Float, a: Float, b: Float, normal: Float, tolerance: fl
     return (leave - enter) * float(np.linalg.norm(b - a)) > tolerance
 
 
-def _at_most_four(polygon: Float) -> list[Float]:
+def at_most_four(polygon: Float) -> list[Float]:
     """Cut a convex polygon into pieces of at most four corners."""
     parts = []
     while len(polygon) > 4:

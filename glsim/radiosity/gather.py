@@ -6,6 +6,7 @@ A final gather collects the light of all patches once more at each vertex, as if
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from numpy.typing import NDArray
 from glsim.radiosity.compiled import parallel, prange
 from glsim.radiosity.factors import Factors
 from glsim.radiosity.hidden import covered
+from glsim.radiosity.lamps import Lamps
 from glsim.radiosity.mesh import PatchMesh
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.polygon import MOST_CORNERS, area, at_point, bilinear
@@ -25,40 +27,129 @@ AT_ONCE = 1024  # points
 NEAR = 0.02  # from this form factor on the radiosity of a patch is bilinear, below it constant
 
 
-def radiosity_at(
+@dataclass(frozen=True)
+class Light:
+    """Irradiance at k points.  direct: (k, 3), straight from lamps; bounced: (k, 3), what other surfaces reflect."""
+
+    direct: Float
+    bounced: Float
+
+    @property
+    def both(self) -> Float:
+        """All that arrives, (k, 3)."""
+        return self.direct + self.bounced
+
+    def __getitem__(self, chosen: Any) -> Light:
+        return Light(self.direct[chosen], self.bounced[chosen])
+
+    def between(self, one: Int, two: Int) -> Light:
+        """Return the means of the light at the points ``one`` (m,) and ``two`` (m,)."""
+        return Light((self.direct[one] + self.direct[two]) / 2.0, (self.bounced[one] + self.bounced[two]) / 2.0)
+
+    def joined(self, other: Light) -> Light:
+        """Return the light at these points and after them at those of another."""
+        return Light(np.concatenate([self.direct, other.direct]), np.concatenate([self.bounced, other.bounced]))
+
+
+@dataclass(frozen=True, repr=False)
+class Gatherer:
+    """Finds irradiance at points of a solved scene.
+
+    B: (n, 3), the radiosity of the patches; lamps: whose light is gathered apart; corners: (n, 4, 3), the radiosity at
+    the patches' corners, between which that of near patches is bilinear.
+    """
+
+    factors: Factors
+    B: Float
+    lamps: Lamps
+    corners: Float | None = None
+    tell: Progress = silent
+
+    @property
+    def patches(self) -> Patches:
+        return self.factors.patches
+
+    def direct(self, points: Float, normals: Float) -> Float:
+        """Return the irradiance (k, 3) straight from lamps at points (k, 3) with unit normals (k, 3)."""
+        return self.lamps.at_points(raised(self.patches, points, normals), normals)
+
+    def bounced(self, points: Float, normals: Float, patch: Int) -> Float:
+        """Return the irradiance (k, 3) by reflected light at points (k, 3) with unit normals (k, 3), on ``patch`` (k,).
+        """
+        H = irradiance_at(self.factors, points, normals, patch, self.B - self.patches.E, self.tell)
+        if self.corners is not None:
+            H = np.maximum(H + unevenness(self.factors, points, normals, self.corners), 0.0)
+        return H
+
+    def covered(self, points: Float, normals: Float) -> NDArray[np.bool_]:
+        """Return whether points (k, 3) with unit normals (k, 3) are inside of bodies: (k,)."""
+        return covered(self.factors.visibility.rays, points, normals)
+
+    def on(self, mesh: PatchMesh) -> tuple[Light, Gatherer]:
+        """Return the irradiance at the vertices of the patches' mesh, and a gatherer that knows the patches' corners.
+
+        The first gather takes the radiosity of each patch as constant.  Its result at the patches' corners makes the
+        radiosity of near patches bilinear, which corrects the light from them, twice.  A vertex inside a body, whose
+        triangles reach out of it, takes the mean of the patches around it.
+        """
+        p = self.patches
+        at, normals, patch = mesh.at, mesh.normals, mesh.patch
+        direct, even = self.direct(at, normals), self.bounced(at, normals, patch)
+        bounced, corners = even, np.zeros((len(p), 4, 3))
+        for _ in range(2):  # the second time with the corners that the first one corrected
+            corners = self._scaled((p.rho[patch] * (direct + bounced))[mesh.corners])
+            bounced = np.maximum(even + unevenness(self.factors, at, normals, corners), 0.0)
+        inside = self.covered(at, normals)[:, None]
+        reflecting = np.maximum(p.rho, 1e-9)
+        around = averaged(p, mesh, (self.B - p.E) / reflecting) - direct
+        light = Light(direct, np.where(inside, np.maximum(around, 0.0), bounced))
+        return light, replace(self, corners=corners)
+
+    def _scaled(self, bright: Float) -> Float:
+        """Return the reflected radiosity at the patches' corners (n, 4, 3), scaled so that each patch's mean is its
+        own."""
+        three = (self.patches.counts == 3)[:, None]
+        mean = np.where(three, bright[:, :3].mean(axis=1), bright.mean(axis=1))
+        true = self.B - self.patches.E
+        return np.asarray(bright * np.divide(true, mean, out=np.ones_like(true), where=mean > 0.0)[:, None])
+
+
+def raised(patches: Patches, points: Float, normals: Float) -> Float:
+    """Return points (k, 3) moved along their normals (k, 3), off the surfaces on which they lie."""
+    return points + 1e-6 * patches.scene.size * normals
+
+
+def irradiance_at(
     factors: Factors, points: Float, normals: Float, patch: Int, B: Float, progress: Progress | None = None
 ) -> Float:
-    """Return the radiosity (k, 3) at points: E + rho times the irradiance from all patches.
+    """Return the irradiance (k, 3) at points from all patches.
 
     points: (k, 3), with unit normals (k, 3), on the patches numbered ``patch`` (k,); B: (n, 3) of the patches.
     """
     tell = progress or silent
-    patches = factors.patches
-    raised = points + 1e-6 * patches.scene.size * normals
+    above = raised(factors.patches, points, normals)
     H = np.empty((len(points), 3))
     for first in range(0, len(points), AT_ONCE):
         now = slice(first, min(first + AT_ONCE, len(points)))
-        H[now] = factors.at_points(raised[now], normals[now], patch[now], B)
+        H[now] = factors.at_points(above[now], normals[now], patch[now], B)
         tell("vertices", now.stop, len(points))
-    return np.asarray(patches.E[patch] + patches.rho[patch] * H)
+    return H
+
+
+def radiosity_at(
+    factors: Factors, points: Float, normals: Float, patch: Int, B: Float, progress: Progress | None = None
+) -> Float:
+    """Return the radiosity (k, 3) at points: E + rho times their irradiance, see ``irradiance_at``."""
+    p = factors.patches
+    return np.asarray(p.E[patch] + p.rho[patch] * irradiance_at(factors, points, normals, patch, B, progress))
 
 
 def gathered(factors: Factors, mesh: PatchMesh, B: Float, progress: Progress | None = None) -> Float:
-    """Return the radiosity at the mesh's vertices (V, 3), from the radiosity B (n, 3) of the patches.
-
-    The first gather takes the radiosity of each patch as constant.  Its result at the patches' corners makes the
-    radiosity of near patches bilinear, which corrects the light from them, twice.  A vertex inside a body takes the
-    mean of the patches around it.
-    """
-    even = radiosity_at(factors, mesh.at, mesh.normals, mesh.patch, B, progress)
-    shown = even
-    for _ in range(2):  # the second time with the corners that the first one corrected
-        added = unevenness(factors, mesh.at, mesh.normals, shown[mesh.corners])
-        shown = np.maximum(even + factors.patches.rho[mesh.patch] * added, 0.0)
-    hidden = covered(
-        factors.visibility.rays, mesh.at, mesh.normals
-    )  # inside a body, but their triangles reach out of it
-    return np.where(hidden[:, None], averaged(factors.patches, mesh, B), shown)
+    """Return the radiosity at the vertices of the patches' mesh (V, 3), from the radiosity B (n, 3) of the patches."""
+    p = factors.patches
+    lamps = Lamps.of(p, factors.visibility)
+    light, _ = Gatherer(factors, B, lamps, tell=progress or silent).on(mesh)
+    return np.asarray(p.E[mesh.patch] + p.rho[mesh.patch] * light.both)
 
 
 def unevenness(factors: Factors, points: Float, normals: Float, bright: Float) -> Float:

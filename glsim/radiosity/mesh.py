@@ -31,6 +31,12 @@ class PatchMesh:
     triangle_patch: Int
     corners: Int
 
+    @property
+    def areas(self) -> Float:
+        """The areas of the triangles, (T,)."""
+        a, b, c = np.moveaxis(self.vertices[self.triangles], 1, 0)
+        return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2.0)
+
     def __repr__(self) -> str:
         return f"<PatchMesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
 

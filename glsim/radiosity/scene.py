@@ -64,11 +64,16 @@ class Scene:
         polygons, lamps = len(self.polygons), len(self.emitters)
         return f"<Scene {self.name}: {polygons} polygons, {lamps} emitting, {len(self.materials)} materials>"
 
-    @property
+    @cached_property
     def size(self) -> float:
         """The length of the bounding box's diagonal."""
         points = np.concatenate(self.polygons)
         return float(np.linalg.norm(np.ptp(points, axis=0)))
+
+    @cached_property
+    def areas(self) -> Float:
+        """The areas of the polygons, (number of polygons,)."""
+        return np.array([area_of(polygon) for polygon in self.polygons])
 
     @cached_property
     def normals(self) -> Float:

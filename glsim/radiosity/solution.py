@@ -16,8 +16,10 @@ from glsim.radiosity.adapt import refined
 from glsim.radiosity.compiled import is_cached
 from glsim.radiosity.factors import Factors
 from glsim.radiosity.formfactors import FormFactors
-from glsim.radiosity.gather import averaged, gathered
+from glsim.radiosity.drawn import refined as finer
+from glsim.radiosity.gather import Gatherer, averaged, gathered
 from glsim.radiosity.hierarchy import ACCURACY, linked
+from glsim.radiosity.lamps import Lamps
 from glsim.radiosity.load import scene_from
 from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.methods import METHODS, compute
@@ -39,7 +41,7 @@ def solve(
     what: Any, patches: int = 2000, *, method: str = "contour", solver: str | None = None, tolerance: float = 1e-6,
     vertices: str = "gather", adaptive: bool = False, accuracy: float = ACCURACY, flip: bool = False,
     close: bool = False, threads: int | None = None, checkpoint: str | None = None, scheduler: str | None = None,
-    progress: Progress | None = None, on_step: Callable[[SolverStep], object] | None = None,
+    drawn: int = 0, progress: Progress | None = None, on_step: Callable[[SolverStep], object] | None = None,
 ) -> Radiosity:  # fmt: skip
     """Solve the radiosity of a scene.
 
@@ -86,7 +88,16 @@ def solve(
         with _timed(seconds, "vertices"):
             mesh = mesh_of(factors.patches)
             gather = vertices == "gather"
-            shown = gathered(factors, mesh, B, tell) if gather else averaged(factors.patches, mesh, B)
+            if gather:
+                lamps = Lamps.of(factors.patches, factors.visibility)
+                light, gatherer = Gatherer(factors, B, lamps, tell=tell).on(mesh)
+        with _timed(seconds, "drawn mesh"):
+            if gather:
+                if drawn:
+                    mesh, light = finer(mesh, light, gatherer, drawn, tell)
+                shown = factors.patches.E[mesh.patch] + factors.patches.rho[mesh.patch] * light.both
+            else:
+                shown = averaged(factors.patches, mesh, B)
     except KeyboardInterrupt:
         if checkpoint:
             computed.keep(checkpoint)

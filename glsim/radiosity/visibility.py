@@ -15,7 +15,7 @@ later, is then taken under the same condition.
 from __future__ import annotations
 
 import threading
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,9 +29,17 @@ Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 FIRST, MORE = 16, 48  # rays of a pair
 FEW = 1000  # patches, of which each pair gets twice as many
-POINT_RAYS = 12  # from a vertex to a patch, before MORE
-FEW_RAYS = 2  # from a vertex to a patch that sends little
 CHUNK = 1 << 12  # pairs at a time, in each thread
+
+
+class Effort(NamedTuple):
+    """How many rays a point sends to a patch: ``first``, and where these disagree ``more``."""
+
+    first: int
+    more: int
+
+
+USUAL = (Effort(12, MORE), Effort(2, 0))  # to a patch, and to one that sends little
 
 # Row k of TABLE: the fractional parts of k / r, k / r^2, k / r^3, k / r^4 with r = _ROOT, which are evenly spread over
 # the four-dimensional unit cube (Roberts 2018).
@@ -102,19 +110,21 @@ class Visibility:
         return (verdict != HIDDEN).astype(np.float64), np.flatnonzero(verdict == UNDECIDED)
 
     def from_points(
-        self, points: Float, normals: Float, patches: Patches, rows: Int, columns: Int, dim: NDArray[np.bool_]
-    ) -> Float:
+        self, points: Float, normals: Float, patches: Patches, rows: Int, columns: Int, kind: NDArray[Any],
+        efforts: tuple[Effort, ...] = USUAL,
+    ) -> Float:  # fmt: skip
         """Return the share of the form factor from points[rows] to patches[columns] that is not blocked: (k,).
 
-        points: (m, 3), with unit normals (m, 3); rows, columns: (k,); dim: (k,), pairs along which little light
-        comes, to which fewer rays are sent.
+        points: (m, 3), with unit normals (m, 3); rows, columns: (k,); kind: (k,), for each pair the number of its
+        effort in ``efforts``, by default 1 for pairs along which little light comes.
         """
         reach = self.bodies.reach(points[:, None]) if self.bodies is not None else None
         result, undecided = self._by_bodies(reach, self._reach_of(patches.corners), rows, columns)
-        few, many = undecided[dim[undecided]], undecided[~dim[undecided]]
         points, corners = points - self.rays.middle, patches.corners - self.rays.middle
-        work = [(few[k : k + CHUNK], FEW_RAYS, 0) for k in range(0, len(few), CHUNK)]
-        work += [(many[k : k + CHUNK], POINT_RAYS, MORE) for k in range(0, len(many), CHUNK)]
+        work = []
+        for number, (first, more) in enumerate(efforts):
+            some, step = undecided[kind[undecided] == number], max(1, CHUNK * FIRST // first)
+            work += [(some[k : k + step], first, more) for k in range(0, len(some), step)]
 
         def shares(chunk: Int, count: int, more: int) -> Float:
             seen, total = np.zeros(len(chunk)), np.zeros(len(chunk))
