@@ -22,7 +22,7 @@ Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 BLOCK = 1 << 21  # pairs at a time
 NEGLIGIBLE = 0.02  # of the mean light from one patch at a point: form factors that bring less are left out
-DIM = 3e-4  # of the mean light from all patches at a point: form factors that bring less get few rays
+SHARES = 3e-4, 3e-3  # of the mean light at a point: where what a pair brings is between two of these, its effort changes
 
 
 @dataclass(frozen=True, repr=False)
@@ -100,7 +100,7 @@ class FormFactors:
 def irradiance(patches: Patches, visibility: Visibility, points: Float, normals: Float, B: Float) -> Float:
     """Return the irradiance (k, 3) at points (k, 3) with unit normals (k, 3), from patches of radiosity B (n, 3).
 
-    Form factors along which hardly any light comes are left out (NEGLIGIBLE), others get few rays (DIM).
+    Form factors along which hardly any light comes are left out (NEGLIGIBLE), others get few rays (SHARES).
     """
     p = patches
     bright = brightness(p, B)
@@ -108,8 +108,8 @@ def irradiance(patches: Patches, visibility: Visibility, points: Float, normals:
     factors = np.zeros((len(points), len(p)))
     pairs.point_factors(points, normals, p.corners, p.counts, p.normal, p.center, p.size, least, factors)
     rows, columns = np.nonzero(factors)
-    dim = factors[rows, columns] < DIM / bright[columns]
-    factors[rows, columns] *= visibility.from_points(points, normals, p, rows, columns, dim)
+    kind = np.searchsorted(SHARES, factors[rows, columns] * bright[columns])
+    factors[rows, columns] *= visibility.from_points(points, normals, p, rows, columns, kind)
     return np.asarray(factors @ B)
 
 

@@ -20,11 +20,13 @@ from glsim.radiosity.mesh import PatchMesh
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.polygon import MOST_CORNERS, area, at_point, bilinear
 from glsim.radiosity.progress import Progress, silent
+from glsim.radiosity.visibility import EFFORTS
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 AT_ONCE = 1024  # points
-NEAR = 0.02  # from this form factor on the radiosity of a patch is bilinear, below it constant
+PARTS = 4  # along each edge of a patch, of which near points see different radiosities
+NEAR = 0.02  # from this form factor on a patch is near, below it evenly bright
 
 
 @dataclass(frozen=True)
@@ -55,14 +57,14 @@ class Light:
 class Gatherer:
     """Finds irradiance at points of a solved scene.
 
-    B: (n, 3), the radiosity of the patches; lamps: whose light is gathered apart; corners: (n, 4, 3), the radiosity at
-    the patches' corners, between which that of near patches is bilinear.
+    B: (n, 3), the radiosity of the patches; lamps: whose light is gathered apart; parts: (n, PARTS^2, 3), the reflected
+    radiosity of the parts of each patch, which matters for near patches; None: all parts are alike.
     """
 
     factors: Factors
     B: Float
     lamps: Lamps
-    corners: Float | None = None
+    parts: Float | None = None
     tell: Progress = silent
 
     @property
@@ -77,8 +79,8 @@ class Gatherer:
         """Return the irradiance (k, 3) by reflected light at points (k, 3) with unit normals (k, 3), on ``patch`` (k,).
         """
         H = irradiance_at(self.factors, points, normals, patch, self.B - self.patches.E, self.tell)
-        if self.corners is not None:
-            H = np.maximum(H + unevenness(self.factors, points, normals, self.corners), 0.0)
+        if self.parts is not None:
+            H = np.maximum(H + unevenness(self.factors, points, normals, self.parts), 0.0)
         return H
 
     def covered(self, points: Float, normals: Float) -> NDArray[np.bool_]:
@@ -86,32 +88,41 @@ class Gatherer:
         return covered(self.factors.visibility.rays, points, normals)
 
     def on(self, mesh: PatchMesh) -> tuple[Light, Gatherer]:
-        """Return the irradiance at the vertices of the patches' mesh, and a gatherer that knows the patches' corners.
+        """Return the irradiance at the vertices of the patches' mesh, and a gatherer that knows the patches' parts.
 
-        The first gather takes the radiosity of each patch as constant.  Its result at the patches' corners makes the
-        radiosity of near patches bilinear, which corrects the light from them, twice.  A vertex inside a body, whose
-        triangles reach out of it, takes the mean of the patches around it.
+        The first gather takes the radiosity of each patch as constant.  Then direct light is gathered at the middles of
+        all parts of the patches, bounced light is bilinear between their corners, and together they correct the light
+        from near patches, twice.  A vertex inside a body, whose triangles reach out of it, takes the mean of the patches
+        around it.
         """
         p = self.patches
         at, normals, patch = mesh.at, mesh.normals, mesh.patch
         direct, even = self.direct(at, normals), self.bounced(at, normals, patch)
-        bounced, corners = even, np.zeros((len(p), 4, 3))
+        middles = bilinear_parts(p.corners)
+        lit = self.direct(middles.reshape(-1, 3), np.repeat(p.normal, PARTS**2, axis=0)).reshape(middles.shape)
+        bounced, parts = even, np.zeros((len(p), PARTS**2, 3))
         for _ in range(2):  # the second time with the corners that the first one corrected
-            corners = self._scaled((p.rho[patch] * (direct + bounced))[mesh.corners])
-            bounced = np.maximum(even + unevenness(self.factors, at, normals, corners), 0.0)
+            parts = self._scaled(p.rho[:, None] * (lit + bilinear_parts(bounced[mesh.corners])))
+            bounced = np.maximum(even + unevenness(self.factors, at, normals, parts), 0.0)
         inside = self.covered(at, normals)[:, None]
         reflecting = np.maximum(p.rho, 1e-9)
         around = averaged(p, mesh, (self.B - p.E) / reflecting) - direct
         light = Light(direct, np.where(inside, np.maximum(around, 0.0), bounced))
-        return light, replace(self, corners=corners)
+        return light, replace(self, parts=parts)
 
-    def _scaled(self, bright: Float) -> Float:
-        """Return the reflected radiosity at the patches' corners (n, 4, 3), scaled so that each patch's mean is its
+    def _scaled(self, parts: Float) -> Float:
+        """Return the reflected radiosity of the patches' parts (n, PARTS^2, 3), scaled so that each patch's mean is its
         own."""
-        three = (self.patches.counts == 3)[:, None]
-        mean = np.where(three, bright[:, :3].mean(axis=1), bright.mean(axis=1))
-        true = self.B - self.patches.E
-        return np.asarray(bright * np.divide(true, mean, out=np.ones_like(true), where=mean > 0.0)[:, None])
+        mean, true = parts.mean(axis=1), self.B - self.patches.E
+        return np.asarray(parts * np.divide(true, mean, out=np.ones_like(true), where=mean > 0.0)[:, None])
+
+
+def bilinear_parts(corners: Float) -> Float:
+    """Return values at the middles of each patch's parts (n, PARTS^2, 3), bilinear between its corners (n, 4, 3)."""
+    t = (np.arange(PARTS) + 0.5) / PARTS
+    u, v = np.tile(t, PARTS), np.repeat(t, PARTS)
+    weight = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], axis=1)
+    return np.einsum("pc,nck->npk", weight, corners)
 
 
 def raised(patches: Patches, points: Float, normals: Float) -> Float:
@@ -152,11 +163,10 @@ def gathered(factors: Factors, mesh: PatchMesh, B: Float, progress: Progress | N
     return np.asarray(p.E[mesh.patch] + p.rho[mesh.patch] * light.both)
 
 
-def unevenness(factors: Factors, points: Float, normals: Float, bright: Float) -> Float:
-    """Return how much the irradiance at points changes if the radiosity of near patches is bilinear: (k, 3).
+def unevenness(factors: Factors, points: Float, normals: Float, parts: Float) -> Float:
+    """Return how much the irradiance at points changes if near patches are not evenly bright: (k, 3).
 
-    points: (k, 3), with unit normals (k, 3); bright: (n, 4, 3), the radiosity at the patches' corners, between which it
-    is bilinear.
+    points: (k, 3), with unit normals (k, 3); parts: (n, PARTS^2, 3), the radiosity of the patches' parts.
     """
     from scipy.spatial import cKDTree
 
@@ -166,10 +176,10 @@ def unevenness(factors: Factors, points: Float, normals: Float, bright: Float) -
     columns = np.repeat(np.arange(len(patches)), [len(some) for some in around])
     rows = np.concatenate([np.asarray(some, np.int64) for some in around])
     added = np.zeros((len(rows), 3))
-    _uneven(points, normals, rows, patches.corners, patches.counts, patches.normal, columns, bright, NEAR, added)
+    _uneven(points, normals, rows, patches.corners, patches.counts, patches.normal, columns, parts, NEAR, added)
     near = np.flatnonzero(added.any(axis=1))
     rows, columns, added = rows[near], columns[near], added[near]
-    many = np.zeros(len(rows), np.bool_)
+    many = np.full(len(rows), len(EFFORTS) - 1)
     seen = factors.visibility.from_points(points, normals, patches, rows, columns, many)
     return np.stack([np.bincount(rows, seen * added[:, k], len(points)) for k in range(3)], axis=1)
 
@@ -181,11 +191,11 @@ def _uneven(
 ) -> None:  # fmt: skip
     """Write how the irradiance at points[rows] changes if patches[columns] are not evenly bright, into out (k, 3).
 
-    rows, columns: (k,).  Each patch is cut into 4 x 4 parts.  The change is the light from all parts, each with the
-    radiosity at its middle (bilinear between ``bright`` (n, 4, 3) at the corners), minus the light from the whole patch
-    with the mean radiosity.  Form factors below ``least`` give 0.  Occlusion is ignored.
+    rows, columns: (k,).  The change is the light from all parts of a patch, each with its own radiosity ``bright``
+    (n, PARTS^2, 3), minus the light from the whole patch with their mean.  Form factors below ``least`` give 0.
+    Occlusion is ignored.
     """
-    parts = 4  # along each edge
+    parts = PARTS
     for row in prange(len(rows)):
         v, j = rows[row], columns[row]
         work, part = np.empty((MOST_CORNERS, 3)), np.empty((4, 3))
@@ -203,7 +213,7 @@ def _uneven(
                 weight = area(part, 4)
                 whole_area += weight
                 for k in range(3):
-                    b = bilinear(bright[j], (s + 0.5) / parts, (t + 0.5) / parts, k)
+                    b = bright[j, t * parts + s, k]
                     value[k] += factor * b
                     total[k] += weight * b
         for k in range(3):

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.checkpoint import Checkpoint
-from glsim.radiosity.formfactors import DIM, NEGLIGIBLE, brightness
+from glsim.radiosity.formfactors import NEGLIGIBLE, SHARES, brightness
 from glsim.radiosity.links import along_links, link_factors, links_at
 from glsim.radiosity.methods import compute, memory_of_machine
 from glsim.radiosity.patches import Patches, patches_from
@@ -110,8 +110,8 @@ class Links:
         rows, columns, factors = map(
             np.concatenate, zip(*self.visibility.rays.pool.map(factors_at, parts), strict=True)
         )
-        dim = factors < DIM / bright[columns]
-        factors *= self.visibility.from_points(points, normals, nodes, rows, columns, dim)
+        kind = np.searchsorted(SHARES, factors * bright[columns])
+        factors *= self.visibility.from_points(points, normals, nodes, rows, columns, kind)
         begin = np.searchsorted(rows, np.arange(len(points) + 1))
         return np.asarray(csr_matrix((factors, columns, begin), (len(points), len(nodes))) @ radiosity)
 

@@ -39,7 +39,7 @@ class Effort(NamedTuple):
     more: int
 
 
-USUAL = (Effort(12, MORE), Effort(2, 0))  # to a patch, and to one that sends little
+EFFORTS = Effort(2, 0), Effort(4, 12), Effort(12, MORE)  # to a patch that sends little, more, much
 
 # Row k of TABLE: the fractional parts of k / r, k / r^2, k / r^3, k / r^4 with r = _ROOT, which are evenly spread over
 # the four-dimensional unit cube (Roberts 2018).
@@ -110,13 +110,13 @@ class Visibility:
         return (verdict != HIDDEN).astype(np.float64), np.flatnonzero(verdict == UNDECIDED)
 
     def from_points(
-        self, points: Float, normals: Float, patches: Patches, rows: Int, columns: Int, kind: NDArray[Any],
-        efforts: tuple[Effort, ...] = USUAL,
+        self, points: Float, normals: Float, patches: Patches, rows: Int, columns: Int, kind: Int,
+        efforts: tuple[Effort, ...] = EFFORTS,
     ) -> Float:  # fmt: skip
         """Return the share of the form factor from points[rows] to patches[columns] that is not blocked: (k,).
 
         points: (m, 3), with unit normals (m, 3); rows, columns: (k,); kind: (k,), for each pair the number of its
-        effort in ``efforts``, by default 1 for pairs along which little light comes.
+        effort in ``efforts``.
         """
         reach = self.bodies.reach(points[:, None]) if self.bodies is not None else None
         result, undecided = self._by_bodies(reach, self._reach_of(patches.corners), rows, columns)
