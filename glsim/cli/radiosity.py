@@ -36,7 +36,7 @@ def add(commands: Any) -> None:
 
 
 def _add_solution(p: Any) -> None:
-    p.add_argument("--patches", type=count, default=2000, metavar="N", help="about how many (default: %(default)s)")
+    p.add_argument("--patches", type=count, default=1200, metavar="N", help="about how many (default: %(default)s)")
     p.add_argument("--adaptive", action="store_true", help="smaller patches where the light changes fast")
     p.add_argument("--method", default="contour", metavar="NAME",
                    help="of form factors: contour (default), analytic, point, disc, monte-carlo, hemicube; or"
@@ -49,6 +49,9 @@ def _add_solution(p: Any) -> None:
     p.add_argument("--tolerance", type=positive, default=1e-6, help="of the residual (default: %(default)s)")
     p.add_argument("--vertices", default="gather", metavar="NAME",
                    help="gather (at each vertex, default) or average (of the patches around)")  # fmt: skip
+    p.add_argument("--drawn", type=_drawn, metavar="N",
+                   help="about how many vertices, more where the light changes fast (default: five for each patch);"
+                   " 0: the corners of the patches, as textbooks draw them")  # fmt: skip
     p.add_argument("--flip", action="store_true", help="turn all fronts to the other side")
     p.add_argument("--close", action="store_true", help="scale form factors so that rows sum to 1: closed scenes")
     p.add_argument("--scheduler", metavar="ADDRESS", help="use the workers of a Dask scheduler, tcp://HOST:8786")
@@ -69,6 +72,13 @@ def _add_picture(p: Any) -> None:
     )
     p.add_argument("--tone", choices=("linear", "reinhard"), default="linear", help="tone mapping (default: linear)")
     p.add_argument("--gamma", type=positive, default=2.2, help="of the screen (default: 2.2)")
+
+
+def _drawn(text: str) -> int:
+    """Return the number of vertices in an option's text."""
+    if not text.isdigit() or int(text) > 10_000_000:
+        raise argparse.ArgumentTypeError(f"a whole number from 0 to 10000000 is needed, not {text!r}")
+    return int(text)
 
 
 def _views(text: str) -> list[int] | None:
@@ -145,7 +155,7 @@ def _solved(options: argparse.Namespace) -> Radiosity:
         try:
             result = solve(
                 options.what, options.patches, method=options.method, solver=options.solver,
-                tolerance=options.tolerance, vertices=options.vertices, adaptive=options.adaptive,
+                tolerance=options.tolerance, vertices=options.vertices, drawn=options.drawn, adaptive=options.adaptive,
                 accuracy=options.accuracy, flip=options.flip, close=options.close, checkpoint=checkpoint,
                 scheduler=options.scheduler, progress=progress,
                 on_step=lambda step: bars.update(task, description=f"iteration {step.iteration}, {step.residual:.1e}"),

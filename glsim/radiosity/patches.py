@@ -41,6 +41,12 @@ class Patches:
     def __len__(self) -> int:
         return len(self.corners)
 
+    @property
+    def group(self) -> Int:
+        """The number of the wall or smooth body that each patch is part of, (n,)."""
+        scene = self.scene
+        return np.asarray(scene.group or range(len(scene.polygons)), np.int64)[self.polygon]
+
     def triangles(self) -> tuple[Float, Int]:
         """Return the patches as triangles (m, 3, 3), and the patch of each (m,)."""
         quads = np.flatnonzero(self.counts == 4)

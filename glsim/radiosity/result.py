@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from glsim.files import write_atomically
 from glsim.radiosity.factors import Factors
-from glsim.radiosity.gather import radiosity_at
+from glsim.radiosity.gather import Light, radiosity_at
 from glsim.radiosity.mesh import PatchMesh
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.scene import SceneError, View, view_around, view_of
@@ -37,7 +37,7 @@ class Radiosity:
     """The solution of a scene.
 
     B: (n, 3) per patch; steps: one for each iteration (only the last has its B); mesh, vertex_radiosity: triangles and
-    the radiosity at their vertices (V, 3); seconds: by stage.  white: the radiosity that becomes white (None: chosen by
+    the radiosity at their vertices (V, 3); light: the irradiance there, None if it was not gathered; seconds: by stage.  white: the radiosity that becomes white (None: chosen by
     the scene), tone: see tone.TONES, gamma: of the screen.
     """
 
@@ -47,6 +47,7 @@ class Radiosity:
     B: Float
     mesh: PatchMesh
     vertex_radiosity: Float
+    light: Light | None
     solver: str
     seconds: dict[str, float] = field(default_factory=dict)
     white: float | None = None
@@ -109,7 +110,10 @@ class Radiosity:
 
     def direct(self) -> Float:
         """Return the radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
-        return self.at_vertices(self.patches.E)
+        if self.light is None:
+            return self.at_vertices(self.patches.E)
+        p, patch = self.patches, self.mesh.patch
+        return np.asarray(p.E[patch] + p.rho[patch] * self.light.direct)
 
     def at_vertices(self, B: Float) -> Float:
         """Return the radiosity at the vertices (V, 3) that patches with the radiosities B (n, 3) give: their light is

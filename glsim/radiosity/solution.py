@@ -17,11 +17,11 @@ from glsim.radiosity.compiled import is_cached
 from glsim.radiosity.factors import Factors
 from glsim.radiosity.formfactors import FormFactors
 from glsim.radiosity.drawn import refined as finer
-from glsim.radiosity.gather import Gatherer, averaged, gathered
+from glsim.radiosity.gather import Gatherer, Light, averaged
 from glsim.radiosity.hierarchy import ACCURACY, linked
 from glsim.radiosity.lamps import Lamps
 from glsim.radiosity.load import scene_from
-from glsim.radiosity.mesh import mesh_of
+from glsim.radiosity.mesh import PatchMesh, mesh_of
 from glsim.radiosity.methods import METHODS, compute
 from glsim.radiosity.pairs import rows
 from glsim.radiosity.progress import Progress, silent
@@ -35,13 +35,14 @@ from glsim.radiosity.tree import tree_of
 
 Float = NDArray[np.float64]
 VERTICES = ("gather", "average")
+DRAWN = 5  # vertices for each patch
 
 
 def solve(
-    what: Any, patches: int = 2000, *, method: str = "contour", solver: str | None = None, tolerance: float = 1e-6,
+    what: Any, patches: int = 1200, *, method: str = "contour", solver: str | None = None, tolerance: float = 1e-6,
     vertices: str = "gather", adaptive: bool = False, accuracy: float = ACCURACY, flip: bool = False,
     close: bool = False, threads: int | None = None, checkpoint: str | None = None, scheduler: str | None = None,
-    drawn: int = 0, progress: Progress | None = None, on_step: Callable[[SolverStep], object] | None = None,
+    drawn: int | None = None, progress: Progress | None = None, on_step: Callable[[SolverStep], object] | None = None,
 ) -> Radiosity:  # fmt: skip
     """Solve the radiosity of a scene.
 
@@ -49,7 +50,8 @@ def solve(
     "hierarchical" for more patches than there is memory for a matrix, with ``accuracy`` in mean radiosities (see
     hierarchy.linked).  solver: see solvers.SOLVERS; by default "gauss-seidel", and "cg" without a matrix.  adaptive:
     begin with fewer patches and divide those where the light changes fast.  vertices: "gather" (a final gather at each
-    vertex) or "average" (of patches).  close: scale the form factors so that rows sum to 1, for closed scenes.  flip:
+    vertex) or "average" (of patches).  drawn: about how many vertices the mesh that is drawn has, by default five for
+    each patch; 0: the corners of the patches, as with "average" always.  close: scale the form factors so that rows sum to 1, for closed scenes.  flip:
     turn all fronts to the other side.  checkpoint: see methods.compute.  scheduler: the address of a Dask scheduler
     whose workers compute the form factors and multiply by them; checkpoint is then the name under which the blocks of
     form factors stay there (see distributed.Blocks).  threads: for rays, by default one for each processor; the result
@@ -57,7 +59,7 @@ def solve(
     Raises SceneError.
     """
     _check(method, vertices, adaptive, close, scheduler)
-    _check_numbers(patches, tolerance, accuracy, threads)
+    _check_numbers(patches, tolerance, accuracy, threads, drawn)
     tell = progress or silent
     seconds: dict[str, float] = {}
     with _timed(seconds, "patches"):
@@ -86,23 +88,30 @@ def solve(
             steps = solved(factors, solver or _default_solver(factors), tolerance=tolerance, progress=on_step)
         B = steps[-1].B
         with _timed(seconds, "vertices"):
-            mesh = mesh_of(factors.patches)
-            gather = vertices == "gather"
-            if gather:
-                lamps = Lamps.of(factors.patches, factors.visibility)
-                light, gatherer = Gatherer(factors, B, lamps, tell=tell).on(mesh)
-        with _timed(seconds, "drawn mesh"):
-            if gather:
-                if drawn:
-                    mesh, light = finer(mesh, light, gatherer, drawn, tell)
-                shown = factors.patches.E[mesh.patch] + factors.patches.rho[mesh.patch] * light.both
-            else:
-                shown = averaged(factors.patches, mesh, B)
+            mesh, shown, light = _drawn(factors, B, vertices, drawn, tell)
     except KeyboardInterrupt:
         if checkpoint:
             computed.keep(checkpoint)
         raise
-    return Radiosity(factors.patches, factors, steps, B, mesh, shown, solver or _default_solver(factors), seconds)
+    return Radiosity(factors.patches, factors, steps, B, mesh, shown, light, solver or _default_solver(factors), seconds)
+
+
+def _drawn(
+    factors: Factors, B: Float, vertices: str, drawn: int | None, tell: Progress
+) -> tuple[PatchMesh, Float, Light | None]:
+    """Return the mesh that is drawn, the radiosity at its vertices (V, 3), and the irradiance there if it was gathered.
+
+    The arguments: see ``solve``.
+    """
+    p, mesh = factors.patches, mesh_of(factors.patches)
+    if vertices == "average":
+        return mesh, averaged(p, mesh, B), None
+    light, gatherer = Gatherer(factors, B, Lamps.of(p, factors.visibility), tell=tell).on(mesh)
+    count = DRAWN * len(p) if drawn is None else drawn
+    if count > len(mesh.vertices):
+        mesh, light = finer(mesh, light, gatherer, count, tell)
+    light = gatherer.balanced(mesh, light)
+    return mesh, p.E[mesh.patch] + p.rho[mesh.patch] * light.both, light
 
 
 def _patch_factors(
@@ -130,7 +139,7 @@ def _compiled(hierarchical: bool) -> None:
         if hierarchical
         else compute(subdivide(scene, 60, rays=rays), rays=rays)
     )
-    gathered(factors, mesh_of(factors.patches), solved(factors, _default_solver(factors))[-1].B)
+    _drawn(factors, solved(factors, _default_solver(factors))[-1].B, "gather", 1000, silent)
 
 
 def _finder(method: str, rays: Rays, scheduler: str | None, tell: Progress) -> Any:
@@ -170,8 +179,12 @@ def _check(method: str, vertices: str, adaptive: bool, close: bool, scheduler: s
         raise SceneError("hierarchical radiosity neither needs --adaptive (its links adapt) nor knows --close")
 
 
-def _check_numbers(patches: int, tolerance: float, accuracy: float, threads: int | None) -> None:
+def _check_numbers(
+    patches: int, tolerance: float, accuracy: float, threads: int | None, drawn: int | None
+) -> None:
     """Raise SceneError for numbers out of their range."""
+    if drawn is not None and (isinstance(drawn, bool) or not isinstance(drawn, (int, np.integer)) or drawn < 0):
+        raise SceneError(f"drawn must be a whole number from 0 on, not {drawn!r}")
     for name, value in (("patches", patches), ("threads", 1 if threads is None else threads)):
         if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
             raise SceneError(f"{name} must be a whole number from 1 on, not {value!r}")
