@@ -36,7 +36,7 @@ def add(commands: Any) -> None:
 
 
 def _add_solution(p: Any) -> None:
-    p.add_argument("--patches", type=count, default=1200, metavar="N", help="about how many (default: %(default)s)")
+    p.add_argument("--patches", type=count, default=1000, metavar="N", help="about how many (default: %(default)s)")
     p.add_argument("--adaptive", action="store_true", help="smaller patches where the light changes fast")
     p.add_argument("--method", default="contour", metavar="NAME",
                    help="of form factors: contour (default), analytic, point, disc, monte-carlo, hemicube; or"

@@ -39,7 +39,7 @@ DRAWN = 5  # vertices for each patch
 
 
 def solve(
-    what: Any, patches: int = 1200, *, method: str = "contour", solver: str | None = None, tolerance: float = 1e-6,
+    what: Any, patches: int = 1000, *, method: str = "contour", solver: str | None = None, tolerance: float = 1e-6,
     vertices: str = "gather", adaptive: bool = False, accuracy: float = ACCURACY, flip: bool = False,
     close: bool = False, threads: int | None = None, checkpoint: str | None = None, scheduler: str | None = None,
     drawn: int | None = None, progress: Progress | None = None, on_step: Callable[[SolverStep], object] | None = None,
