@@ -7,6 +7,7 @@ fraction of what leaves patch i that arrives at j; in a closed scene each row su
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -21,6 +22,8 @@ from glsim.radiosity.visibility import Visibility
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 BLOCK = 1 << 21  # pairs at a time
+TOO_MUCH = 1.01  # a row of form factors that sums to more is mended; rays alone are off by less
+MENDED = "patches at which more than all light would arrive (polygons that reach into each other), mended: {}, worst {:.2f}"
 NEGLIGIBLE = 0.02  # of the mean light from one patch at a point: form factors that bring less are left out
 SHARES = 3e-4, 3e-3  # of the mean light at a point: where what a pair brings is between two of these, its effort changes
 
@@ -85,6 +88,18 @@ class FormFactors:
         if self.method in ("contour", "analytic"):
             Checkpoint(checkpoint, self.patches, f"{self.method} False").save(rows=np.triu(self.S))
 
+    def mended(self) -> FormFactors:
+        """Return form factors of which no row sums to more than TOO_MUCH; see ``mending``."""
+        S, area = self.S, self.patches.area
+        before = self.row_sums
+        c = mending(lambda c: c * (S @ c.astype(np.float32)) / area if (c < 1.0).any() else before, len(area))
+        less = np.flatnonzero(c < 1.0)
+        if not len(less):
+            return self
+        S[less] *= c[less, None].astype(np.float32)
+        S[:, less] *= c[less].astype(np.float32)
+        return replace(self, patches=self.patches.noted(MENDED.format(int((before > TOO_MUCH).sum()), before.max())))
+
     def closed(self, rounds: int = 50) -> FormFactors:
         """Return form factors scaled so that each row sums to 1, for scenes that are closed.
 
@@ -95,6 +110,21 @@ class FormFactors:
         for _ in range(rounds):
             c = np.sqrt(c * area / np.maximum(S @ c, 1e-300))
         return replace(self, S=(c[:, None] * S * c).astype(np.float32), error=None)
+
+
+def mending(sums: Callable[[Float], Float], n: int) -> Float:
+    """Return factors c (n,), at most 1, with which no row of c_i c_j S_ij / A_i sums to more than TOO_MUCH.
+
+    More than 1 cannot arrive at a patch, but polygons that reach into each other may be seen twice.  sums: the row sums
+    for given c (n,).
+    """
+    c = np.ones(n)
+    for _ in range(50):
+        now = sums(c)
+        if now.max(initial=0.0) <= TOO_MUCH:
+            break
+        c = np.where(now > TOO_MUCH, c * np.sqrt(1.0 / np.maximum(now, 1.0)), c)
+    return c
 
 
 def irradiance(patches: Patches, visibility: Visibility, points: Float, normals: Float, B: Float) -> Float:

@@ -8,7 +8,7 @@ Hanrahan, Salzman and Aupperle, A rapid hierarchical radiosity algorithm (1991);
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.checkpoint import Checkpoint
-from glsim.radiosity.formfactors import NEGLIGIBLE, SHARES, brightness
+from glsim.radiosity.formfactors import MENDED, NEGLIGIBLE, SHARES, TOO_MUCH, brightness, mending
 from glsim.radiosity.links import along_links, link_factors, links_at
 from glsim.radiosity.methods import compute, memory_of_machine
 from glsim.radiosity.patches import Patches, patches_from
@@ -76,6 +76,20 @@ class Links:
     def row_sums(self) -> Float:
         """(n,): 1 in a closed scene, less where light escapes."""
         return np.asarray(self.times(np.ones((len(self.patches), 3)))[:, 0] / self.patches.area)
+
+    def mended(self) -> Links:
+        """Return links of which no element's row sums to more than TOO_MUCH; see formfactors.mending."""
+        before = self.row_sums
+
+        def scaled(c: Float) -> Links:
+            of = self.tree.pulled(np.repeat(c[:, None], 3, axis=1))[0][:, 0]
+            return replace(self, S=(self.S * of[self.ends[:, 0]] * of[self.ends[:, 1]]).astype(np.float32))
+
+        c = mending(lambda c: scaled(c).row_sums if (c < 1.0).any() else before, len(before))
+        if (c == 1.0).all():
+            return self
+        note = MENDED.format(int((before > TOO_MUCH).sum()), before.max())
+        return replace(scaled(c), tree=replace(self.tree, nodes=self.tree.nodes.noted(note)))
 
     def keep(self, checkpoint: str) -> None:
         """Save the links in the file ``checkpoint``, from which the next ``linked`` takes them."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,6 +40,10 @@ class Patches:
 
     def __len__(self) -> int:
         return len(self.corners)
+
+    def noted(self, note: str) -> Patches:
+        """Return the same patches of a scene with one more note."""
+        return replace(self, scene=replace(self.scene, notes=(*self.scene.notes, note)))
 
     @property
     def group(self) -> Int:

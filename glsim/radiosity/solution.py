@@ -18,7 +18,7 @@ from glsim.radiosity.factors import Factors
 from glsim.radiosity.formfactors import FormFactors
 from glsim.radiosity.drawn import refined as finer
 from glsim.radiosity.gather import Gatherer, Light, averaged
-from glsim.radiosity.hierarchy import ACCURACY, linked
+from glsim.radiosity.hierarchy import ACCURACY, Links, linked
 from glsim.radiosity.lamps import Lamps
 from glsim.radiosity.load import scene_from
 from glsim.radiosity.mesh import PatchMesh, mesh_of
@@ -81,6 +81,8 @@ def solve(
         find = _finder(method, rays, scheduler, tell)
         computed = _patch_factors(rays, patches, find, adaptive, checkpoint, tell, seconds)
     factors = computed.closed() if close and isinstance(computed, FormFactors) else computed
+    if method in ("contour", "hierarchical") and isinstance(factors, FormFactors | Links):
+        factors = factors.mended()
     seconds.update(factors.seconds)
     _check_sight(factors)
     try:
