@@ -52,4 +52,5 @@ def interpolation_error(patches: Patches, gatherer: Gatherer) -> Float:
     H = gatherer.direct(at, normals) + gatherer.bounced(at, normals, np.zeros(len(at), np.int64))
     at_corners, middle = H[mesh.corners], H[len(mesh.at) :]
     between = np.where((patches.counts == 4)[:, None], at_corners.mean(axis=1), at_corners[:, :3].mean(axis=1))
-    return np.asarray((patches.rho * np.abs(middle - between)).max(axis=1))
+    error = (patches.rho * np.abs(middle - between)).max(axis=1)
+    return np.where(patches.is_cluster, 0.0, error)

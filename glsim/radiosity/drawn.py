@@ -135,6 +135,8 @@ def _middles(
 ) -> Middles:
     """Gather the light at the middles of the edges ``new`` (k,): direct light at all, bounced light where it may be
     further than ``smooth`` from the mean of the ends.  rough: (T,), how far it may be in each triangle."""
+    of_cluster = gatherer.patches.is_cluster[mesh.triangle_patch[edges.triangle[new]]]
+    kept, new = new[of_cluster], new[~of_cluster]  # the pieces of clusters stay as they are
     at, normals, patch = _places(mesh, edges, new)
     mean = light.between(*edges.ends[new].T)
     worst = np.zeros(len(edges.key))
@@ -147,7 +149,8 @@ def _middles(
     found = Light(np.where(inside[:, None], mean.direct, direct), np.where(inside[:, None], mean.bounced, bounced))
     off = gatherer.patches.rho[patch] * np.abs(found.bounced - mean.bounced)
     far[measured] = off[measured].max(axis=1)
-    return Middles(edges.key[new], found, far)
+    small = Middles(edges.key[kept], light.between(*edges.ends[kept].T), np.zeros(len(kept)))
+    return Middles(edges.key[new], found, far).joined(small)
 
 
 def _places(mesh: PatchMesh, edges: Edges, chosen: Int) -> tuple[Float, Float, Int]:

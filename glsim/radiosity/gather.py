@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.compiled import parallel, prange
+from glsim.radiosity.compiled import jit
 from glsim.radiosity.factors import Factors
 from glsim.radiosity.hidden import covered
 from glsim.radiosity.lamps import Lamps
@@ -104,6 +104,7 @@ class Gatherer:
         bounced, parts = even, np.zeros((len(p), PARTS**2, 3))
         for _ in range(2):  # the second time with the corners that the first one corrected
             parts = self._scaled(p.rho[:, None] * (lit + bilinear_parts(bounced[mesh.corners])))
+            parts[p.is_cluster] = (self.B - p.E)[p.is_cluster, None]
             bounced = np.maximum(even + unevenness(self.factors, at, normals, parts), 0.0)
         inside = self.covered(at, normals)[:, None]
         reflecting = np.maximum(p.rho, 1e-9)
@@ -193,7 +194,13 @@ def unevenness(factors: Factors, points: Float, normals: Float, parts: Float) ->
     columns = np.repeat(np.arange(len(patches)), [len(some) for some in around])
     rows = np.concatenate([np.asarray(some, np.int64) for some in around])
     added = np.zeros((len(rows), 3))
-    _uneven(points, normals, rows, patches.corners, patches.counts, patches.normal, columns, parts, NEAR, added)
+
+    def some(first: int, last: int) -> None:
+        p, here = patches, slice(first, last)
+        of = (p.corners, p.counts, p.normal, columns[here], parts)
+        _uneven(points, normals, rows[here], *of, NEAR, added[here])
+
+    factors.visibility.rays.share(some, len(rows), 4096)
     near = np.flatnonzero(added.any(axis=1))
     rows, columns, added = rows[near], columns[near], added[near]
     many = np.full(len(rows), len(EFFORTS) - 1)
@@ -201,7 +208,7 @@ def unevenness(factors: Factors, points: Float, normals: Float, parts: Float) ->
     return np.stack([np.bincount(rows, seen * added[:, k], len(points)) for k in range(3)], axis=1)
 
 
-@parallel
+@jit
 def _uneven(
     points: Any, normals: Any, rows: Any, corners: Any, counts: Any, patch_normals: Any, columns: Any, bright: Any,
     least: float, out: Any,
@@ -213,13 +220,16 @@ def _uneven(
     Occlusion is ignored.
     """
     parts = PARTS
-    for row in prange(len(rows)):
+    work, part = np.empty((MOST_CORNERS, 3)), np.empty((4, 3))
+    value, total = np.zeros(3), np.zeros(3)
+    for row in range(len(rows)):
         v, j = rows[row], columns[row]
-        work, part = np.empty((MOST_CORNERS, 3)), np.empty((4, 3))
         whole = at_point(points[v], normals[v], corners[j], counts[j], patch_normals[j], work)
         if whole < least:
             continue
-        value, total, whole_area = np.zeros(3), np.zeros(3), 0.0
+        whole_area = 0.0
+        for k in range(3):
+            value[k] = total[k] = 0.0
         for s in range(parts):
             for t in range(parts):
                 for c in range(4):

@@ -12,7 +12,7 @@ from glsim.radiosity.contacts import TOUCHING
 from glsim.radiosity.near import overlapping
 from glsim.radiosity.patches import Patches, patches_from
 from glsim.radiosity.rays import Rays
-from glsim.radiosity.scene import SceneError
+from glsim.radiosity.scene import Scene, SceneError
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
@@ -120,8 +120,7 @@ def _coplanar(patches: Patches) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     ahead = np.einsum("nk,nk->n", first[number] - patches.center[patch], patches.normal[patch])
     on = (np.abs(cosine) > FLAT) & (patches.polygon[patch] != number) & (np.abs(ahead) < layer)
     patch, number, cosine, ahead = patch[on], number[on], cosine[on], ahead[on]
-    on = np.array([_inside(scene.polygons[k], scene.normals[k], patches.center[p]) for p, k in
-                   zip(patch.tolist(), number.tolist(), strict=True)], bool)  # fmt: skip
+    on = _inside(scene, number, patches.center[patch])
     own, other = scene.areas[patches.polygon[patch]], scene.areas[number]
     equal = np.abs(own - other) <= 1e-9 * own
     wins = (other < own) & ~equal | equal & (number > patches.polygon[patch])
@@ -132,7 +131,12 @@ def _coplanar(patches: Patches) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     return results[0], results[1]
 
 
-def _inside(polygon: Float, normal: Float, point: Float) -> bool:
-    """Return whether a point is inside of a convex polygon (k, 3), looked at along the polygon's unit normal."""
-    inward = np.cross(normal, np.roll(polygon, -1, axis=0) - polygon)
-    return bool((((point - polygon) * inward).sum(axis=1) > 0.0).all())
+def _inside(scene: Scene, number: Int, points: Float) -> NDArray[np.bool_]:
+    """Return whether points (k, 3) are inside of the polygons ``number`` (k,), looked at along their normals: (k,)."""
+    result = np.zeros(len(number), bool)
+    for numbers, corners in scene.by_corners:
+        of = np.flatnonzero(np.isin(number, numbers))
+        some = corners[np.searchsorted(numbers, number[of])]
+        inward = np.cross(scene.normals[number[of], None], np.roll(some, -1, axis=1) - some)
+        result[of] = (((points[of, None] - some) * inward).sum(axis=2) > 0.0).all(axis=1)
+    return result

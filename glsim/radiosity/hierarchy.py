@@ -19,7 +19,7 @@ from glsim.radiosity.checkpoint import Checkpoint
 from glsim.radiosity.formfactors import MENDED, NEGLIGIBLE, SHARES, TOO_MUCH, brightness, mending
 from glsim.radiosity.links import along_links, link_factors, links_at
 from glsim.radiosity.methods import compute, memory_of_machine
-from glsim.radiosity.patches import Patches, patches_from
+from glsim.radiosity.patches import Patches
 from glsim.radiosity.progress import Progress, silent
 from glsim.radiosity.rays import Rays
 from glsim.radiosity.scene import SceneError
@@ -60,10 +60,7 @@ class Links:
     @cached_property
     def patches(self) -> Patches:
         """The elements: the leaves of the tree."""
-        nodes, leaves = self.tree.nodes, self.tree.leaves
-        return patches_from(
-            nodes.scene, nodes.corners[leaves], nodes.counts[leaves], nodes.polygon[leaves], nodes.level[leaves]
-        )
+        return self.tree.nodes.chosen(self.tree.leaves)
 
     def times(self, B: Float) -> Float:
         """Return S B (n, 3) of the elements: pull radiosity up, send it along the links, push what arrives down."""
@@ -160,7 +157,7 @@ def linked(tree: Tree, accuracy: float = ACCURACY, rays: Rays | None = None, pro
     """
     tell = progress or silent
     nodes, count = tree.nodes, tree.levels[1]
-    roots = patches_from(nodes.scene, nodes.corners[:count], nodes.counts[:count], nodes.polygon[:count])
+    roots = nodes.chosen(np.arange(count))
     coarse = compute(roots, rays=rays, limit=limit, progress=lambda _, done, of: tell("coarse solution", done, of))
     B = solved(coarse, tolerance=1e-3)[-1].B
     start = time.perf_counter()
@@ -230,7 +227,7 @@ class _Refiner:
         )
         seeing = np.flatnonzero(S > 0.0)
         pairs, S, spread, tilt = pairs[seeing], S[seeing], spread[seeing], tilt[seeing]
-        share, undecided = self.visibility.fractions_and_undecided(nodes.corners, nodes.counts, nodes.normal, pairs)
+        share, undecided = self.visibility.fractions_and_undecided(nodes, pairs)
         uneven = self._unevenness(pairs, S, spread, share, undecided) > self.least
         uneven &= self.tree.child[pairs] >= 0
         done = ~uneven.any(axis=1)

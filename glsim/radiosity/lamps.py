@@ -11,14 +11,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity import pairs
 from glsim.radiosity.contacts import at_most_four
-from glsim.radiosity.patches import Patches, patches_from, patches_of
+from glsim.radiosity.formfactors import factors_at
+from glsim.radiosity.patches import Patches, patches_of
 from glsim.radiosity.visibility import Effort, Visibility
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 AT_ONCE = 1 << 21  # form factors
+FEW = 64  # polygons that are taken whole
 SHARES = 0.01, 0.2  # of a point's light from all lamps: where a lamp's share is between two of these, its effort changes
 EFFORTS = Effort(4, 28), Effort(32, 96), Effort(240, 0)  # a shadow's border is where the first ray passes
 
@@ -32,22 +33,14 @@ class Lamps:
 
     @staticmethod
     def of(patches: Patches, visibility: Visibility) -> Lamps:
-        """Return the lamps of a scene: whole polygons where all of their patches are seen, else these patches."""
-        scene = patches.scene
-        shown = np.bincount(patches.polygon, patches.area, len(scene.polygons))
-        whole = [k for k in scene.emitters if shown[k] > (1.0 - 1e-6) * scene.areas[k]]
-        pieces = [(piece, k) for k in whole for piece in at_most_four(scene.polygons[k])]
-        left = np.flatnonzero((patches.E.max(axis=1) > 0.0) & ~np.isin(patches.polygon, whole))
-        first = patches_of(scene, [piece for piece, _ in pieces], [k for _, k in pieces])
-        return Lamps(
-            patches_from(
-                scene,
-                np.concatenate([first.corners, patches.corners[left]]),
-                np.concatenate([first.counts, patches.counts[left]]),
-                np.concatenate([first.polygon, patches.polygon[left]]),
-            ),
-            visibility,
-        )
+        """Return the lamps of a scene: whole polygons if these are few and all of each is seen, else patches."""
+        scene, pieces = patches.scene, patches.drawn()[0]
+        shown = np.bincount(pieces.polygon, pieces.area, len(scene.polygons))
+        lamps = np.array(scene.emitters, np.int64)
+        if len(lamps) > FEW or (shown[lamps] < (1.0 - 1e-6) * scene.areas[lamps]).any():
+            return Lamps(patches.chosen(np.flatnonzero(patches.E.max(axis=1) > 0.0)), visibility)
+        parts = [(part, k) for k in lamps.tolist() for part in at_most_four(scene.polygons[k])]
+        return Lamps(patches_of(scene, [part for part, _ in parts], [k for _, k in parts]), visibility)
 
     def __repr__(self) -> str:
         return f"<Lamps of {self.parts.scene.name}: {len(self.parts)}>"
@@ -63,7 +56,7 @@ class Lamps:
         p = self.parts
         factors = np.zeros((len(points), len(p)))
         least = np.zeros(len(p))
-        pairs.point_factors(points, normals, p.corners, p.counts, p.normal, p.center, p.size, least, factors)
+        factors_at(points, normals, p, least, self.visibility.rays, factors)
         rows, columns = np.nonzero(factors)
         light = factors * p.E.max(axis=1)
         kind = np.searchsorted(SHARES, light[rows, columns] / light.sum(axis=1)[rows])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -100,8 +100,14 @@ def _between(corners: Int, counts: Int, positions: Float, group: Int, unit: floa
 def mesh_of(patches: Patches) -> PatchMesh:
     """Return the patches as triangles without T-vertices.
 
-    A patch on whose edges lie vertices of its neighbours becomes a fan around its middle.
+    A patch on whose edges lie vertices of its neighbours becomes a fan around its middle.  Of a cluster the pieces are
+    drawn; its corners are vertices of one of them.
     """
+    if patches.clusters is not None:
+        pieces, whole = patches.drawn()
+        mesh, corners = mesh_of(pieces), np.empty((len(patches), 4), np.int64)
+        corners[whole] = mesh.corners
+        return replace(mesh, patch=whole[mesh.patch], triangle_patch=whole[mesh.triangle_patch], corners=corners)
     lines = outline(patches)
     corners, counts = lines.corners, patches.counts
     fans = np.array(sorted({k for k, _ in lines.between}), np.int64)

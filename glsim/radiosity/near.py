@@ -34,16 +34,18 @@ def overlapping(one: tuple[Float, Float], two: tuple[Float, Float]) -> tuple[Int
 @jit
 def _overlapping(low_1: Any, high_1: Any, low_2: Any, high_2: Any, first: Any, last: Any) -> Any:
     """Return the pairs of ``overlapping``, of which box i of the first needs only ``first[i]`` to ``last[i]``."""
-    rows, columns = np.empty(1024, np.int64), np.empty(1024, np.int64)
-    found = 0
-    for i in range(len(low_1)):
-        for j in range(first[i], last[i]):
-            apart = False
-            for k in range(3):
-                apart |= low_1[i, k] > high_2[j, k] or low_2[j, k] > high_1[i, k]
-            if not apart:
-                if found == len(rows):
-                    rows, columns = np.concatenate((rows, rows)), np.concatenate((columns, columns))
-                rows[found], columns[found] = i, j
-                found += 1
-    return rows[:found], columns[:found]
+    rows, columns = np.empty(0, np.int64), np.empty(0, np.int64)
+    for again in range(2):  # first they are counted
+        found = 0
+        for i in range(len(low_1)):
+            for j in range(first[i], last[i]):
+                apart = False
+                for k in range(3):
+                    apart |= low_1[i, k] > high_2[j, k] or low_2[j, k] > high_1[i, k]
+                if not apart:
+                    if again:
+                        rows[found], columns[found] = i, j
+                    found += 1
+        if not again:
+            rows, columns = np.empty(found, np.int64), np.empty(found, np.int64)
+    return rows, columns

@@ -109,7 +109,8 @@ def _drawn(
     if vertices == "average":
         return mesh, averaged(p, mesh, B), None
     light, gatherer = Gatherer(factors, B, Lamps.of(p, factors.visibility), tell=tell).on(mesh)
-    count = DRAWN * len(p) if drawn is None else drawn
+    small = int(p.is_cluster[mesh.patch].sum())  # vertices of clusters, which are as many as they are
+    count = small + DRAWN * len(p) if drawn is None else drawn
     if count > len(mesh.vertices):
         mesh, light = finer(mesh, light, gatherer, count, tell)
     light = gatherer.balanced(mesh, light)

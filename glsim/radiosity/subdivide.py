@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.radiosity.clusters import clustered
 from glsim.radiosity.contacts import TOUCHING, Segments, contacts, cut, near_segments
 from glsim.radiosity.hidden import exposed
 from glsim.radiosity.patches import Patches, four_corners, patches_from
@@ -17,30 +18,37 @@ Float = NDArray[np.float64]
 SHORT = 0.3  # of a cell's edge: shorter edges that touch a polygon do not cut its cells
 
 
-def subdivide(scene: Scene, count: int = 2000, length: float | None = None, rays: Rays | None = None) -> Patches:
+def subdivide(
+    scene: Scene, count: int = 2000, length: float | None = None, rays: Rays | None = None, small: float | None = None
+) -> Patches:
     """Break a scene into patches with edges of about ``length``, or into about ``count`` patches altogether.
 
-    Patches that nobody can see are left out; rays: to find these, by default new ones.  Raises SceneError for a count
+    small: if it is given, polygons that are small beside this length are gathered in clusters, see clusters.py; without
+    ``length`` that is so if there are more polygons than ``count``.  Patches that nobody can see are left out;
+    rays: to find these, by default new ones.  Raises SceneError for a count
     below 1 and for a length that is not positive.
     """
     if length is None:
         if count < 1:
             raise SceneError(f"--patches: at least 1 patch is needed, not {count}")
-        length = length_for(scene, count)
+        length, gather = length_for(scene, count)
+        small = length if gather else None
     if not length > 0.0:
         raise SceneError(f"the length of patches must be more than 0, not {length}")
     cuts = contacts(scene, SHORT * length)
     corners: list[Float] = []
     owner: list[int] = []
+    single = np.sqrt(2.0 * scene.areas) < length  # a triangle with a smaller area is one cell
     for number, polygon in enumerate(scene.polygons):
-        cells = _cells(polygon, length)
+        cells = polygon[None, [0, 1, 2, 2]] if len(polygon) == 3 and single[number] else _cells(polygon, length)
         if number in cuts:
             cells = _cut(cells, len(polygon) == 4, cuts[number], scene.normals[number], scene.size)
         corners.append(cells)
         owner += [number] * len(cells)
     all_corners = np.concatenate(corners)
     counts = np.where((all_corners[:, 2] == all_corners[:, 3]).all(axis=1), 3, 4)
-    return exposed(patches_from(scene, all_corners, counts, np.array(owner, np.int64)), rays or Rays(scene))
+    parts = exposed(patches_from(scene, all_corners, counts, np.array(owner, np.int64)), rays or Rays(scene))
+    return parts if small is None else clustered(parts, small)
 
 
 def _cut(cells: Float, quads: bool, segments: Segments, normal: Float, scale: float) -> Float:
@@ -54,18 +62,22 @@ def _cut(cells: Float, quads: bool, segments: Segments, normal: Float, scale: fl
     return np.concatenate(parts)
 
 
-def length_for(scene: Scene, count: int) -> float:
+def length_for(scene: Scene, count: int) -> tuple[float, bool]:
     """Return the length of edges with which all grids together have about ``count`` cells.
 
-    Each polygon has at least one cell.  If that alone takes more than half of ``count``, there are more cells.
+    Each polygon has at least one cell; if that alone takes more than half of ``count``, there are more cells.  But if
+    there are more polygons than ``count``, those that are small beside that length are to be gathered in clusters, and
+    count by their area: then the second result is True.
     """
     grids = Grids.of(scene)
-    count = max(count, grids.cells(2.0 * scene.size) + count // 2)
+    fewest = grids.cells(2.0 * scene.size)
+    gather = fewest > count
+    count = count if gather else max(count, fewest + count // 2)
     short, long = 1e-4 * scene.size, 2.0 * scene.size
     for _ in range(40):
         middle = (short * long) ** 0.5
-        short, long = (short, middle) if grids.cells(middle) <= count else (middle, long)
-    return long
+        short, long = (short, middle) if grids.cells(middle, gather) <= count else (middle, long)
+    return long, gather
 
 
 def number_of_cells(scene: Scene, length: float) -> int:
@@ -82,16 +94,25 @@ class Grids(NamedTuple):
 
     @staticmethod
     def of(scene: Scene) -> Grids:
-        quads = np.array([polygon for polygon in scene.polygons if len(polygon) == 4]).reshape(-1, 4, 3)
-        fans = [polygon[[0, k, k + 1]] for polygon in scene.polygons if len(polygon) != 4
-                for k in range(1, len(polygon) - 1)]  # fmt: skip
-        a, b, c = np.moveaxis(np.array(fans).reshape(-1, 3, 3), 1, 0)
+        quads, fans = np.zeros((0, 4, 3)), [np.zeros((0, 3, 3))]
+        for _, corners in scene.by_corners:
+            if corners.shape[1] == 4:
+                quads = corners
+            else:
+                fans += [corners[:, [0, k, k + 1]] for k in range(1, corners.shape[1] - 1)]
+        a, b, c = np.moveaxis(np.concatenate(fans), 1, 0)
         return Grids(_sides(quads), np.sqrt(np.linalg.norm(np.cross(b - a, c - a), axis=1)))
 
-    def cells(self, length: float) -> int:
-        """Return how many cells of about ``length`` all grids have together, before they are cut."""
-        quads = np.maximum(1.0, np.round(self.edges / length)).prod(axis=1)
-        return int(quads.sum() + (np.maximum(1.0, np.round(self.triangles / length)) ** 2).sum())
+    def cells(self, length: float, gather: bool = False) -> int:
+        """Return how many cells of about ``length`` all grids have together, before they are cut.
+
+        gather: polygons below half of that length are a fraction of a cell."""
+        sides, triangles = self.edges / length, self.triangles / length
+        quads, others = np.maximum(1.0, np.round(sides)).prod(axis=1), np.maximum(1.0, np.round(triangles)) ** 2
+        if gather:
+            quads = np.where(sides.max(axis=1) < 0.5, sides.prod(axis=1), quads)
+            others = np.where(triangles < 0.5, triangles**2 / 2.0, others)
+        return int(quads.sum() + others.sum())
 
 
 def _sides(quads: Float) -> Float:
