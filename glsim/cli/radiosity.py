@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -38,11 +40,12 @@ def add(commands: Any) -> None:
 def _add_solution(p: Any) -> None:
     p.add_argument("--patches", type=count, default=1000, metavar="N", help="about how many (default: %(default)s)")
     p.add_argument("--adaptive", action="store_true", help="smaller patches where the light changes fast")
-    p.add_argument("--method", default="contour", metavar="NAME",
+    p.add_argument("--method", metavar="NAME",
                    help="of form factors: contour (default), analytic, point, disc, monte-carlo, hemicube; or"
-                   " hierarchical: links, for more patches than a matrix has room for")  # fmt: skip
-    p.add_argument("--accuracy", type=positive, default=5e-5, metavar="A",
-                   help="of a link, in mean radiosities, for hierarchical (default: %(default)s)")  # fmt: skip
+                   " hierarchical (default above 3000 patches): links instead of a matrix")  # fmt: skip
+    p.add_argument("--accuracy", type=positive, metavar="A",
+                   help="of a link, in mean radiosities, for hierarchical (default: 5e-5; 2e-4 if hierarchical is the"
+                   " default)")  # fmt: skip
     p.add_argument("--solver", metavar="NAME",
                    help="gauss-seidel (default), jacobi, sor, cg, shooting, lu; where there is no matrix, for"
                    " hierarchical and --scheduler: cg (default), jacobi")  # fmt: skip
@@ -67,6 +70,9 @@ def _add_picture(p: Any) -> None:
     p.add_argument("--camera", type=camera, metavar="AZIMUTH,ELEVATION[,DISTANCE]",
                    help="instead: around the scene, in degrees from its front, and radii (distance: 4)")  # fmt: skip
     p.add_argument("--direct", metavar="FILE", help="a picture of direct illumination and radiosity side by side")
+    p.add_argument("--final-gather", metavar="FILE",
+                   help="a sheet: patches, meshes, and light gathered at every pixel, with their errors (slow: try"
+                   " --size 200 first)")  # fmt: skip
     p.add_argument(
         "--white", type=positive, metavar="B", help="the radiosity that becomes white (default: by the scene)"
     )
@@ -106,9 +112,9 @@ def _radiosity(options: argparse.Namespace) -> int:
     for name in options.output:
         if Path(name).suffix.lower() not in DATA:
             check_picture_name(name)
-    if options.direct:
-        check_picture_name(options.direct)
-    for name in (*options.output, options.direct, options.json, None if options.scheduler else options.resume):
+    for name in filter(None, (options.direct, options.final_gather)):
+        check_picture_name(name)
+    for name in (*options.output, options.direct, options.final_gather, options.json, None if options.scheduler else options.resume):
         if isinstance(name, str):
             check_folder(name)
     result = _solved(options)
@@ -135,22 +141,12 @@ def _list(options: argparse.Namespace) -> int:
 
 def _solved(options: argparse.Namespace) -> Radiosity:
     """Solve with these options, under progress bars."""
-    from rich.console import Console
-    from rich.progress import Progress
-
     from glsim.radiosity.solution import solve
 
     checkpoint = options.resume
     if not checkpoint and not options.scheduler:
         checkpoint = str(Path(options.output[0]).with_suffix(".unfinished.npz"))
-    stages: dict[str, Any] = {}
-    with Progress(console=Console(stderr=True), transient=True) as bars:
-
-        def progress(stage: str, done: int, of: int) -> None:
-            if stage not in stages:
-                stages[stage] = bars.add_task(stage, total=of)
-            bars.update(stages[stage], completed=done, total=of)
-
+    with _bars() as (bars, progress):
         task = bars.add_task("solving", total=None)
         try:
             result = solve(
@@ -182,7 +178,29 @@ def _written(result: Radiosity, options: argparse.Namespace) -> list[str]:
     for view in views if options.direct else []:
         names.append(_numbered(options.direct, view, views))
         write_atomically(names[-1], result.beside_direct(options.size, view).save)
+    for view in views if options.final_gather else []:
+        names.append(_numbered(options.final_gather, view, views))
+        with _bars() as (bars, progress):
+            sheet = result.final_gather(options.size, view, progress)
+        write_atomically(names[-1], sheet.save)
     return names
+
+
+@contextmanager
+def _bars() -> Iterator[tuple[Any, Any]]:
+    """Show progress bars on stderr; yields rich's object and a function that is a radiosity.progress.Progress."""
+    from rich.console import Console
+    from rich.progress import Progress
+
+    stages: dict[str, Any] = {}
+    with Progress(console=Console(stderr=True), transient=True) as bars:
+
+        def progress(stage: str, done: int, of: int) -> None:
+            if stage not in stages:
+                stages[stage] = bars.add_task(stage, total=of)
+            bars.update(stages[stage], completed=done, total=of)
+
+        yield bars, progress
 
 
 def _numbered(name: str, view: Any, views: list[Any]) -> str:

@@ -15,6 +15,7 @@ from glsim.radiosity.rays import Rays
 from glsim.radiosity.scene import Scene, SceneError, area_of
 
 Float = NDArray[np.float64]
+MORE = 1.5  # times the patches asked for: more of them are worth a note
 SHORT = 0.3  # of a cell's edge: shorter edges that touch a polygon do not cut its cells
 
 
@@ -28,6 +29,7 @@ def subdivide(
     rays: to find these, by default new ones.  Raises SceneError for a count
     below 1 and for a length that is not positive.
     """
+    whole = length is None
     if length is None:
         if count < 1:
             raise SceneError(f"--patches: at least 1 patch is needed, not {count}")
@@ -48,7 +50,11 @@ def subdivide(
     all_corners = np.concatenate(corners)
     counts = np.where((all_corners[:, 2] == all_corners[:, 3]).all(axis=1), 3, 4)
     parts = exposed(patches_from(scene, all_corners, counts, np.array(owner, np.int64)), rays or Rays(scene))
-    return parts if small is None else clustered(parts, small)
+    parts = parts if small is None else clustered(parts, small)
+    if whole and len(parts) > MORE * count + 100:
+        parts = parts.noted(f"{len(parts)} patches where about {count} were asked for: the scene has"
+                            f" {len(scene.polygons)} polygons, and bodies that touch cut others")  # fmt: skip
+    return parts
 
 
 def _cut(cells: Float, quads: bool, segments: Segments, normal: Float, scale: float) -> Float:
