@@ -22,7 +22,7 @@ import glsim
 from glsim import plots, radiosity
 from glsim.pictures import tiles
 
-box = radiosity.solve("cornell", patches=250)
+box = radiosity.solve("cornell", patches=250, drawn=0)
 
 
 def pictures(solver, numbers, size=320):

@@ -91,7 +91,7 @@ def _add_scene(p: argparse.ArgumentParser) -> None:
                    help="pixels of each picture (default: 512, or as a program asks)")  # fmt: skip
     p.add_argument("--samples", type=number, metavar="N",
                    help="multisampling, 0 for none (default: 4; 0 beside native or pictures)")  # fmt: skip
-    p.add_argument("--patches", type=count, default=2000, metavar="N", help="of radiosity (default: %(default)s)")
+    p.add_argument("--patches", type=count, default=1000, metavar="N", help="of radiosity (default: %(default)s)")
     p.add_argument("--view", type=number, default=0, metavar="N", help="which camera of a radiosity scene (default: 0)")
     p.add_argument("--timeout", type=positive, default=60.0, metavar="SECONDS", help="for a program (default: 60)")
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -36,19 +38,23 @@ def add(commands: Any) -> None:
 
 
 def _add_solution(p: Any) -> None:
-    p.add_argument("--patches", type=count, default=2000, metavar="N", help="about how many (default: %(default)s)")
+    p.add_argument("--patches", type=count, default=1000, metavar="N", help="about how many (default: %(default)s)")
     p.add_argument("--adaptive", action="store_true", help="smaller patches where the light changes fast")
-    p.add_argument("--method", default="contour", metavar="NAME",
+    p.add_argument("--method", metavar="NAME",
                    help="of form factors: contour (default), analytic, point, disc, monte-carlo, hemicube; or"
-                   " hierarchical: links, for more patches than a matrix has room for")  # fmt: skip
-    p.add_argument("--accuracy", type=positive, default=5e-5, metavar="A",
-                   help="of a link, in mean radiosities, for hierarchical (default: %(default)s)")  # fmt: skip
+                   " hierarchical (default above 3000 patches): links instead of a matrix")  # fmt: skip
+    p.add_argument("--accuracy", type=positive, metavar="A",
+                   help="of a link, in mean radiosities, for hierarchical (default: 5e-5; 2e-4 if hierarchical is the"
+                   " default)")  # fmt: skip
     p.add_argument("--solver", metavar="NAME",
                    help="gauss-seidel (default), jacobi, sor, cg, shooting, lu; where there is no matrix, for"
                    " hierarchical and --scheduler: cg (default), jacobi")  # fmt: skip
     p.add_argument("--tolerance", type=positive, default=1e-6, help="of the residual (default: %(default)s)")
     p.add_argument("--vertices", default="gather", metavar="NAME",
                    help="gather (at each vertex, default) or average (of the patches around)")  # fmt: skip
+    p.add_argument("--drawn", type=_drawn, metavar="N",
+                   help="about how many vertices, more where the light changes fast (default: five for each patch);"
+                   " 0: the corners of the patches, as textbooks draw them")  # fmt: skip
     p.add_argument("--flip", action="store_true", help="turn all fronts to the other side")
     p.add_argument("--close", action="store_true", help="scale form factors so that rows sum to 1: closed scenes")
     p.add_argument("--scheduler", metavar="ADDRESS", help="use the workers of a Dask scheduler, tcp://HOST:8786")
@@ -64,11 +70,21 @@ def _add_picture(p: Any) -> None:
     p.add_argument("--camera", type=camera, metavar="AZIMUTH,ELEVATION[,DISTANCE]",
                    help="instead: around the scene, in degrees from its front, and radii (distance: 4)")  # fmt: skip
     p.add_argument("--direct", metavar="FILE", help="a picture of direct illumination and radiosity side by side")
+    p.add_argument("--final-gather", metavar="FILE",
+                   help="a sheet: patches, meshes, and light gathered at every pixel, with their errors (slow: try"
+                   " --size 200 first)")  # fmt: skip
     p.add_argument(
         "--white", type=positive, metavar="B", help="the radiosity that becomes white (default: by the scene)"
     )
     p.add_argument("--tone", choices=("linear", "reinhard"), default="linear", help="tone mapping (default: linear)")
     p.add_argument("--gamma", type=positive, default=2.2, help="of the screen (default: 2.2)")
+
+
+def _drawn(text: str) -> int:
+    """Return the number of vertices in an option's text."""
+    if not text.isdigit() or int(text) > 10_000_000:
+        raise argparse.ArgumentTypeError(f"a whole number from 0 to 10000000 is needed, not {text!r}")
+    return int(text)
 
 
 def _views(text: str) -> list[int] | None:
@@ -96,9 +112,9 @@ def _radiosity(options: argparse.Namespace) -> int:
     for name in options.output:
         if Path(name).suffix.lower() not in DATA:
             check_picture_name(name)
-    if options.direct:
-        check_picture_name(options.direct)
-    for name in (*options.output, options.direct, options.json, None if options.scheduler else options.resume):
+    for name in filter(None, (options.direct, options.final_gather)):
+        check_picture_name(name)
+    for name in (*options.output, options.direct, options.final_gather, options.json, None if options.scheduler else options.resume):
         if isinstance(name, str):
             check_folder(name)
     result = _solved(options)
@@ -125,27 +141,17 @@ def _list(options: argparse.Namespace) -> int:
 
 def _solved(options: argparse.Namespace) -> Radiosity:
     """Solve with these options, under progress bars."""
-    from rich.console import Console
-    from rich.progress import Progress
-
     from glsim.radiosity.solution import solve
 
     checkpoint = options.resume
     if not checkpoint and not options.scheduler:
         checkpoint = str(Path(options.output[0]).with_suffix(".unfinished.npz"))
-    stages: dict[str, Any] = {}
-    with Progress(console=Console(stderr=True), transient=True) as bars:
-
-        def progress(stage: str, done: int, of: int) -> None:
-            if stage not in stages:
-                stages[stage] = bars.add_task(stage, total=of)
-            bars.update(stages[stage], completed=done, total=of)
-
+    with _bars() as (bars, progress):
         task = bars.add_task("solving", total=None)
         try:
             result = solve(
                 options.what, options.patches, method=options.method, solver=options.solver,
-                tolerance=options.tolerance, vertices=options.vertices, adaptive=options.adaptive,
+                tolerance=options.tolerance, vertices=options.vertices, drawn=options.drawn, adaptive=options.adaptive,
                 accuracy=options.accuracy, flip=options.flip, close=options.close, checkpoint=checkpoint,
                 scheduler=options.scheduler, progress=progress,
                 on_step=lambda step: bars.update(task, description=f"iteration {step.iteration}, {step.residual:.1e}"),
@@ -172,7 +178,29 @@ def _written(result: Radiosity, options: argparse.Namespace) -> list[str]:
     for view in views if options.direct else []:
         names.append(_numbered(options.direct, view, views))
         write_atomically(names[-1], result.beside_direct(options.size, view).save)
+    for view in views if options.final_gather else []:
+        names.append(_numbered(options.final_gather, view, views))
+        with _bars() as (bars, progress):
+            sheet = result.final_gather(options.size, view, progress)
+        write_atomically(names[-1], sheet.save)
     return names
+
+
+@contextmanager
+def _bars() -> Iterator[tuple[Any, Any]]:
+    """Show progress bars on stderr; yields rich's object and a function that is a radiosity.progress.Progress."""
+    from rich.console import Console
+    from rich.progress import Progress
+
+    stages: dict[str, Any] = {}
+    with Progress(console=Console(stderr=True), transient=True) as bars:
+
+        def progress(stage: str, done: int, of: int) -> None:
+            if stage not in stages:
+                stages[stage] = bars.add_task(stage, total=of)
+            bars.update(stages[stage], completed=done, total=of)
+
+        yield bars, progress
 
 
 def _numbered(name: str, view: Any, views: list[Any]) -> str:

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.factors import Factors
-from glsim.radiosity.gather import gathered
+from glsim.radiosity.gather import Gatherer
+from glsim.radiosity.lamps import Lamps
 from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.quadtree import divided
@@ -21,13 +22,17 @@ ROUNDS = 8  # at most
 def refined(patches: Patches, count: int, factors_of: Callable[[Patches], Factors]) -> Patches:
     """Divide patches until there are about ``count``, first those with the largest interpolation error.
 
-    factors_of: finds the form factors of patches.  Between two solutions the number of patches at most doubles.
+    factors_of: finds the form factors of patches.  Only the patches that are given are solved: light is gathered from
+    them at all smaller ones.
     """
+    factors = factors_of(patches)
+    B = solved(factors, tolerance=1e-4)[-1].B
+    _, gatherer = Gatherer(factors, B, Lamps.of(patches, factors.visibility)).on(mesh_of(patches))
     for _ in range(ROUNDS):
         wanted = min(count, 2 * len(patches)) - len(patches)
         if wanted < 3:
             break
-        wrong = interpolation_error(factors_of(patches)) * patches.area
+        wrong = interpolation_error(patches, gatherer) * patches.area
         worst = np.argsort(-wrong)[: max(1, wanted // 4)]  # the balance of the quadtree divides some more
         chosen = np.zeros(len(patches), bool)
         chosen[worst[wrong[worst] > 0.0]] = True
@@ -37,13 +42,15 @@ def refined(patches: Patches, count: int, factors_of: Callable[[Patches], Factor
     return patches
 
 
-def interpolation_error(factors: Factors) -> Float:
-    """Return how far the radiosity gathered at each patch's middle is from the mean at its corners: (n,)."""
-    patches = factors.patches
-    B = solved(factors, tolerance=1e-4)[-1].B
+def interpolation_error(patches: Patches, gatherer: Gatherer) -> Float:
+    """Return how far the radiosity gathered at each patch's middle is from the mean at its corners: (n,).
+
+    gatherer: of the same scene, with a matrix of form factors, which gathers at any point.
+    """
     mesh = mesh_of(patches)
-    at_corners = gathered(factors, mesh, B)[mesh.corners]
+    at, normals = np.concatenate([mesh.at, patches.center]), np.concatenate([mesh.normals, patches.normal])
+    H = gatherer.direct(at, normals) + gatherer.bounced(at, normals, np.zeros(len(at), np.int64))
+    at_corners, middle = H[mesh.corners], H[len(mesh.at) :]
     between = np.where((patches.counts == 4)[:, None], at_corners.mean(axis=1), at_corners[:, :3].mean(axis=1))
-    points = patches.center + 1e-6 * patches.scene.size * patches.normal
-    H = factors.at_points(points, patches.normal, np.arange(len(patches)), B)
-    return np.asarray(np.abs(patches.E + patches.rho * H - between).max(axis=1))
+    error = (patches.rho * np.abs(middle - between)).max(axis=1)
+    return np.where(patches.is_cluster, 0.0, error)

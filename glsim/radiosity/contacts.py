@@ -5,50 +5,61 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.radiosity.near import overlapping
 from glsim.radiosity.scene import Scene, area_of
 
 Float = NDArray[np.float64]
 Segments = list[tuple[Float, Float]]
 TOUCHING = 1e-6  # of the scene's size: this near, polygons touch
 SLIVER = 1e-3  # of a whole cell's area: smaller pieces are left out
-MANY = 4000  # polygons: a mesh with more has polygons as small as patches, and no patch is cut
 
 
-def contacts(scene: Scene) -> dict[int, Segments]:
+def contacts(scene: Scene, shortest: float = 0.0) -> dict[int, Segments]:
     """Return for each polygon, by its number, the edges of other polygons that lie in its plane and near it.
 
     They belong to bodies that stand on it, or to coplanar polygons such as a lamp in a ceiling.  Near means that the
-    edge's bounding box overlaps the polygon's.  Polygons without such edges are not in the dictionary.
+    edge's bounding box overlaps the polygon's.  Polygons without such edges are not in the dictionary, nor are edges
+    below a length of ``shortest``.
     """
-    if len(scene.polygons) > MANY:
-        return {}
     tolerance = TOUCHING * scene.size
-    owner = np.repeat(np.arange(len(scene.polygons)), [len(polygon) for polygon in scene.polygons])
-    starts = np.concatenate(scene.polygons)
-    ends = np.concatenate([np.roll(polygon, -1, axis=0) for polygon in scene.polygons])
+    many = np.array([len(polygon) for polygon in scene.polygons])
+    owner, corners = np.repeat(np.arange(len(many)), many), np.concatenate(scene.polygons)
+    begin = np.cumsum(many) - many
+    following = np.arange(len(corners)) + 1
+    following[begin + many - 1] = begin
+    box = np.minimum.reduceat(corners, begin) - tolerance, np.maximum.reduceat(corners, begin) + tolerance
+    ends = corners[following]
+    long = np.flatnonzero(np.linalg.norm(ends - corners, axis=1) > shortest)
+    number, edge = overlapping(box, (np.minimum(corners, ends)[long], np.maximum(corners, ends)[long]))
+    edge = long[edge]
+    origin, normal = corners[begin[number]], scene.normals[number]
+    on = owner[edge] != number
+    for points in (corners, ends):
+        on &= np.abs(np.einsum("nk,nk->n", points[edge] - origin, normal)) < tolerance
     segments: dict[int, Segments] = {}
-    for number, (polygon, normal) in enumerate(zip(scene.polygons, scene.normals, strict=True)):
-        low, high = polygon.min(axis=0) - tolerance, polygon.max(axis=0) + tolerance
-        near = (np.abs((starts - polygon[0]) @ normal) < tolerance) & (np.abs((ends - polygon[0]) @ normal) < tolerance)
-        near &= (owner != number) & (np.maximum(starts, ends) >= low).all(axis=1)
-        near &= (np.minimum(starts, ends) <= high).all(axis=1)
-        if near.any():
-            segments[number] = [(starts[k], ends[k]) for k in np.flatnonzero(near)]
-    return segments
+    for k, e in zip(number[on].tolist(), edge[on].tolist(), strict=True):
+        segments.setdefault(k, []).append((corners[e], ends[e]))
+    return {k: _once(some, tolerance) for k, some in segments.items()}
+
+
+def _once(segments: Segments, tolerance: float) -> Segments:
+    """Return the segments without those that run between the same two points as one before, in either direction."""
+    keys = [frozenset(tuple(np.round(end / tolerance)) for end in segment) for segment in segments]
+    return list(dict(zip(reversed(keys), reversed(segments), strict=True)).values())[::-1]
 
 
 def near_segments(cells: Float, segments: Segments, normal: Float, tolerance: float) -> NDArray[np.bool_]:
-    """Return a mask (k,) of the cells (k, 4, 3) that a segment may cut.
+    """Return a mask (k, number of segments): which cells (k, 4, 3) each segment may cut.
 
     Such a cell has corners on both sides of the segment's line and does not lie wholly beyond one of its ends.
     """
-    result = np.zeros(len(cells), bool)
-    for a, b in segments:
+    result = np.zeros((len(cells), len(segments)), bool)
+    for number, (a, b) in enumerate(segments):
         along, across = b - a, np.cross(normal, b - a)
         length = float(np.linalg.norm(along))
         side, ahead = (cells - a) @ across / length, (cells - a) @ along / length
         beside = (ahead.max(axis=1) > tolerance) & (ahead.min(axis=1) < length - tolerance)
-        result |= (side.min(axis=1) < -tolerance) & (side.max(axis=1) > tolerance) & beside
+        result[:, number] = (side.min(axis=1) < -tolerance) & (side.max(axis=1) > tolerance) & beside
     return result
 
 
@@ -58,7 +69,7 @@ def cut(cell: Float, segments: Segments, normal: Float, scale: float) -> list[Fl
     for a, b in segments:
         pieces = [part for piece in pieces for part in _halves(piece, a, b, normal, TOUCHING * scale)]
     whole = area_of(cell)
-    return [part for piece in pieces for part in _at_most_four(piece) if area_of(part) > SLIVER * whole]
+    return [part for piece in pieces for part in at_most_four(piece) if area_of(part) > SLIVER * whole]
 
 
 def _halves(piece: Float, a: Float, b: Float, normal: Float, tolerance: float) -> list[Float]:
@@ -102,7 +113,7 @@ def _goes_through(piece: Float, a: Float, b: Float, normal: Float, tolerance: fl
     return (leave - enter) * float(np.linalg.norm(b - a)) > tolerance
 
 
-def _at_most_four(polygon: Float) -> list[Float]:
+def at_most_four(polygon: Float) -> list[Float]:
     """Cut a convex polygon into pieces of at most four corners."""
     parts = []
     while len(polygon) > 4:

@@ -215,7 +215,8 @@ def _compute_block(patches: Patches, first: int, last: int) -> Rows:
     """Return S of the patches ``first`` up to ``last`` with all from ``first`` on: (last - first, n - first)."""
     out = np.zeros((last - first, len(patches)), np.float32)
     with _one_at_a_time:
-        upper_rows(patches, _visibility(patches.scene), first, last, False, out, {"form factors": 0, "visibility": 0})
+        visibility, seconds = _visibility(patches.scene), {"form factors": 0.0, "visibility": 0.0}
+        upper_rows(patches, visibility, visibility.rays, first, last, False, out, seconds)
     return out[:, first:].copy()
 
 

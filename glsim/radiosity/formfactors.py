@@ -7,6 +7,7 @@ fraction of what leaves patch i that arrives at j; in a closed scene each row su
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -16,13 +17,17 @@ from glsim.radiosity import matrix, pairs
 from glsim.radiosity.checkpoint import Checkpoint
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.progress import Progress
+from glsim.radiosity.rays import Rays
 from glsim.radiosity.visibility import Visibility
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 BLOCK = 1 << 21  # pairs at a time
+AT_ONCE = 16  # rows or points that a thread takes
+TOO_MUCH = 1.01  # a row of form factors that sums to more is mended; rays alone are off by less
+MENDED = "patches at which more than all light would arrive (polygons that reach into each other), mended: {}, worst {:.2f}"
 NEGLIGIBLE = 0.02  # of the mean light from one patch at a point: form factors that bring less are left out
-DIM = 3e-4  # of the mean light from all patches at a point: form factors that bring less get few rays
+SHARES = 3e-4, 3e-3  # of the mean light at a point: where what a pair brings is between two of these, its effort changes
 
 
 @dataclass(frozen=True, repr=False)
@@ -85,6 +90,18 @@ class FormFactors:
         if self.method in ("contour", "analytic"):
             Checkpoint(checkpoint, self.patches, f"{self.method} False").save(rows=np.triu(self.S))
 
+    def mended(self) -> FormFactors:
+        """Return form factors of which no row sums to more than TOO_MUCH; see ``mending``."""
+        S, area = self.S, self.patches.area
+        before = self.row_sums
+        c = mending(lambda c: c * (S @ c.astype(np.float32)) / area if (c < 1.0).any() else before, len(area))
+        less = np.flatnonzero(c < 1.0)
+        if not len(less):
+            return self
+        S[less] *= c[less, None].astype(np.float32)
+        S[:, less] *= c[less].astype(np.float32)
+        return replace(self, patches=self.patches.noted(MENDED.format(int((before > TOO_MUCH).sum()), before.max())))
+
     def closed(self, rounds: int = 50) -> FormFactors:
         """Return form factors scaled so that each row sums to 1, for scenes that are closed.
 
@@ -97,20 +114,47 @@ class FormFactors:
         return replace(self, S=(c[:, None] * S * c).astype(np.float32), error=None)
 
 
+def mending(sums: Callable[[Float], Float], n: int) -> Float:
+    """Return factors c (n,), at most 1, with which no row of c_i c_j S_ij / A_i sums to more than TOO_MUCH.
+
+    More than 1 cannot arrive at a patch, but polygons that reach into each other may be seen twice.  sums: the row sums
+    for given c (n,).
+    """
+    c = np.ones(n)
+    for _ in range(50):
+        now = sums(c)
+        if now.max(initial=0.0) <= TOO_MUCH:
+            break
+        c = np.where(now > TOO_MUCH, c * np.sqrt(1.0 / np.maximum(now, 1.0)), c)
+    return c
+
+
 def irradiance(patches: Patches, visibility: Visibility, points: Float, normals: Float, B: Float) -> Float:
     """Return the irradiance (k, 3) at points (k, 3) with unit normals (k, 3), from patches of radiosity B (n, 3).
 
-    Form factors along which hardly any light comes are left out (NEGLIGIBLE), others get few rays (DIM).
+    Form factors along which hardly any light comes are left out (NEGLIGIBLE), others get few rays (SHARES).
     """
     p = patches
     bright = brightness(p, B)
     least = NEGLIGIBLE / len(p) / bright
     factors = np.zeros((len(points), len(p)))
-    pairs.point_factors(points, normals, p.corners, p.counts, p.normal, p.center, p.size, least, factors)
+    factors_at(points, normals, p, least, visibility.rays, factors)
     rows, columns = np.nonzero(factors)
-    dim = factors[rows, columns] < DIM / bright[columns]
-    factors[rows, columns] *= visibility.from_points(points, normals, p, rows, columns, dim)
+    kind = np.searchsorted(SHARES, factors[rows, columns] * bright[columns])
+    factors[rows, columns] *= visibility.from_points(points, normals, p, rows, columns, kind)
     return np.asarray(factors @ B)
+
+
+def factors_at(points: Float, normals: Float, patches: Patches, least: Float, rays: Rays, out: Float) -> None:
+    """Write pairs.point_factors of points (k, 3) and all patches into out (k, n), in the threads of ``rays``."""
+    p = patches
+
+    def some(first: int, last: int) -> None:
+        here = slice(first, last)
+        of = (p.corners, p.counts, p.normal, p.center, p.size)
+        pairs.point_factors(points[here], normals[here], *of, least, out[here])
+
+    rays.share(some, len(points), AT_ONCE)
 
 
 def brightness(patches: Patches, B: Float) -> Float:
@@ -122,6 +166,7 @@ def brightness(patches: Patches, B: Float) -> Float:
 def by_pairs(
     patches: Patches,
     visibility: Visibility | None,
+    rays: Rays,
     method: str,
     exact: bool,
     progress: Progress,
@@ -143,7 +188,7 @@ def by_pairs(
     try:
         while first < n:
             last = next_rows(n, first)
-            upper_rows(patches, visibility, first, last, exact, S[first:last], seconds)
+            upper_rows(patches, visibility, rays, first, last, exact, S[first:last], seconds)
             first = last
             progress("form factors", of - (n - first) * (n - first - 1) // 2, of)
     except KeyboardInterrupt:
@@ -161,20 +206,25 @@ def next_rows(n: int, first: int, size: int | None = None) -> int:
 
 
 def upper_rows(
-    patches: Patches, visibility: Visibility | None, first: int, last: int, exact: bool, out: NDArray[np.float32],
-    seconds: dict[str, float],
+    patches: Patches, visibility: Visibility | None, rays: Rays, first: int, last: int, exact: bool,
+    out: NDArray[np.float32], seconds: dict[str, float],
 ) -> None:  # fmt: skip
     """Write S of patches ``first`` up to ``last`` with all of higher number into out (last - first, n).
 
-    visibility: None if nothing blocks.  seconds: of each stage; the time of this call is added to them.
+    visibility: None if nothing blocks.  rays: whose threads work.  seconds: of each stage; the time of this call is added to them.
     """
     p, start = patches, time.perf_counter()
-    pairs.rows(p.corners, p.counts, p.normal, p.center, p.size, first, last, exact, out)
+
+    def some(begin: int, end: int) -> None:
+        of = (p.corners, p.counts, p.normal, p.center, p.size)
+        pairs.rows(*of, first + begin, first + end, exact, out[begin:end])
+
+    rays.share(some, last - first, AT_ONCE)
     middle = time.perf_counter()
     if visibility is not None:
         rows, columns = np.nonzero(out[:, first:])
         numbers = np.stack([rows + first, columns + first], axis=1)
-        shares = visibility.fractions(p.corners, p.counts, p.normal, numbers)
+        shares = visibility.fractions(p, numbers)
         out[rows, columns + first] *= shares.astype(np.float32)
     seconds["form factors"] += middle - start
     seconds["visibility"] += time.perf_counter() - middle

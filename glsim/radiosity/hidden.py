@@ -7,14 +7,18 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.contacts import MANY, TOUCHING
+from glsim.radiosity.bodies import GAP
+from glsim.radiosity.contacts import TOUCHING
+from glsim.radiosity.near import overlapping
 from glsim.radiosity.patches import Patches, patches_from
 from glsim.radiosity.rays import Rays
-from glsim.radiosity.scene import SceneError, area_of
+from glsim.radiosity.scene import Scene, SceneError
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 RAYS = 9  # from a point, see _fan
+LAYER = 2.5 * GAP  # of the scene's size: layers that are nearer to each other cannot be told apart by rays
+FLAT = 1.0 - 1e-6  # the cosine between the normals of two layers
 SHIFT = 2e-5  # of the scene's size: how far coinciding polygons are moved apart
 
 
@@ -22,8 +26,8 @@ def exposed(patches: Patches, rays: Rays) -> Patches:
     """Return the patches without those that nobody can see.
 
     Three kinds are left out.  A patch inside a body: nearly all rays from its middle and from near its corners meet
-    the backs of polygons.  A patch behind a coplanar lamp: a smaller polygon of the same plane and the same front lies
-    on it.  A patch under a body that stands on it, as the floor under a crate: a coplanar polygon of the opposite
+    the backs of polygons.  A patch behind another layer, as a lamp in the ceiling or a rug on the floor: a polygon of
+    the same front lies on it or a hair's breadth before it, see ``_coplanar``.  A patch under a body that stands on it, as the floor under a crate: a coplanar polygon of the opposite
     front lies on it, and all rays meet backs, or the whole scene is behind the patch's plane.
 
     Raises SceneError if nearly everything would be left out: then the normals are inverted.
@@ -102,24 +106,37 @@ def _fan(normals: Float) -> Float:
 
 
 def _coplanar(patches: Patches) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Find the patches whose middle lies on another polygon of the same plane.
+    """Find the patches whose middle lies on another polygon, no further from it than rays can tell.
 
-    Returns two masks (n,): the other polygon is smaller and has the same front, so that it is seen instead; the other
-    polygon has the opposite front.
+    Returns two masks (n,): the other polygon has the same front and is seen instead, because it lies a little in front
+    or is the smaller one in the same plane (of two equal ones the later); the other polygon has the opposite front.
     """
-    scene, normals = patches.scene, patches.scene.normals
-    smaller, opposite = np.zeros(len(patches), bool), np.zeros(len(patches), bool)
-    areas = np.array([area_of(polygon) for polygon in scene.polygons])
-    if len(scene.polygons) > MANY:
-        return smaller, opposite
-    tolerance = TOUCHING * scene.size
-    for number, polygon in enumerate(scene.polygons):
-        cosine = patches.normal @ normals[number]
-        on = (np.abs(cosine) > 1.0 - 1e-6) & (patches.polygon != number)
-        on &= np.abs((patches.center - polygon[0]) @ normals[number]) < tolerance
-        inward = np.cross(normals[number], np.roll(polygon, -1, axis=0) - polygon)
-        from_corners = patches.center[on][:, None] - polygon
-        on[on] = ((from_corners * inward).sum(axis=2) > 0.0).all(axis=1)
-        smaller |= on & (cosine > 0.0) & (areas[patches.polygon] > areas[number] * (1.0 + 1e-9))
-        opposite |= on & (cosine < 0.0)
-    return smaller, opposite
+    scene = patches.scene
+    exact, layer = TOUCHING * scene.size, LAYER * scene.size
+    low, high = (np.array([f(polygon, axis=0) for polygon in scene.polygons]) for f in (np.min, np.max))
+    patch, number = overlapping((patches.center, patches.center), (low - layer, high + layer))
+    cosine = np.einsum("nk,nk->n", patches.normal[patch], scene.normals[number])
+    first = np.array([polygon[0] for polygon in scene.polygons])
+    ahead = np.einsum("nk,nk->n", first[number] - patches.center[patch], patches.normal[patch])
+    on = (np.abs(cosine) > FLAT) & (patches.polygon[patch] != number) & (np.abs(ahead) < layer)
+    patch, number, cosine, ahead = patch[on], number[on], cosine[on], ahead[on]
+    on = _inside(scene, number, patches.center[patch])
+    own, other = scene.areas[patches.polygon[patch]], scene.areas[number]
+    equal = np.abs(own - other) <= 1e-9 * own
+    wins = (other < own) & ~equal | equal & (number > patches.polygon[patch])
+    in_front = np.where(np.abs(ahead) < exact, wins, ahead > 0.0)
+    results = np.zeros((2, len(patches)), bool)
+    results[0, patch[on & (cosine > 0.0) & in_front]] = True
+    results[1, patch[on & (cosine < 0.0) & (np.abs(ahead) < exact)]] = True
+    return results[0], results[1]
+
+
+def _inside(scene: Scene, number: Int, points: Float) -> NDArray[np.bool_]:
+    """Return whether points (k, 3) are inside of the polygons ``number`` (k,), looked at along their normals: (k,)."""
+    result = np.zeros(len(number), bool)
+    for numbers, corners in scene.by_corners:
+        of = np.flatnonzero(np.isin(number, numbers))
+        some = corners[np.searchsorted(numbers, number[of])]
+        inward = np.cross(scene.normals[number[of], None], np.roll(some, -1, axis=1) - some)
+        result[of] = (((points[of, None] - some) * inward).sum(axis=2) > 0.0).all(axis=1)
+    return result

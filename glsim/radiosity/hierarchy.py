@@ -8,7 +8,7 @@ Hanrahan, Salzman and Aupperle, A rapid hierarchical radiosity algorithm (1991);
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -16,10 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.checkpoint import Checkpoint
-from glsim.radiosity.formfactors import DIM, NEGLIGIBLE, brightness
+from glsim.radiosity.formfactors import MENDED, NEGLIGIBLE, SHARES, TOO_MUCH, brightness, mending
 from glsim.radiosity.links import along_links, link_factors, links_at
 from glsim.radiosity.methods import compute, memory_of_machine
-from glsim.radiosity.patches import Patches, patches_from
+from glsim.radiosity.patches import Patches
 from glsim.radiosity.progress import Progress, silent
 from glsim.radiosity.rays import Rays
 from glsim.radiosity.scene import SceneError
@@ -60,10 +60,7 @@ class Links:
     @cached_property
     def patches(self) -> Patches:
         """The elements: the leaves of the tree."""
-        nodes, leaves = self.tree.nodes, self.tree.leaves
-        return patches_from(
-            nodes.scene, nodes.corners[leaves], nodes.counts[leaves], nodes.polygon[leaves], nodes.level[leaves]
-        )
+        return self.tree.nodes.chosen(self.tree.leaves)
 
     def times(self, B: Float) -> Float:
         """Return S B (n, 3) of the elements: pull radiosity up, send it along the links, push what arrives down."""
@@ -76,6 +73,20 @@ class Links:
     def row_sums(self) -> Float:
         """(n,): 1 in a closed scene, less where light escapes."""
         return np.asarray(self.times(np.ones((len(self.patches), 3)))[:, 0] / self.patches.area)
+
+    def mended(self) -> Links:
+        """Return links of which no element's row sums to more than TOO_MUCH; see formfactors.mending."""
+        before = self.row_sums
+
+        def scaled(c: Float) -> Links:
+            of = self.tree.pulled(np.repeat(c[:, None], 3, axis=1))[0][:, 0]
+            return replace(self, S=(self.S * of[self.ends[:, 0]] * of[self.ends[:, 1]]).astype(np.float32))
+
+        c = mending(lambda c: scaled(c).row_sums if (c < 1.0).any() else before, len(before))
+        if (c == 1.0).all():
+            return self
+        note = MENDED.format(int((before > TOO_MUCH).sum()), before.max())
+        return replace(scaled(c), tree=replace(self.tree, nodes=self.tree.nodes.noted(note)))
 
     def keep(self, checkpoint: str) -> None:
         """Save the links in the file ``checkpoint``, from which the next ``linked`` takes them."""
@@ -110,8 +121,8 @@ class Links:
         rows, columns, factors = map(
             np.concatenate, zip(*self.visibility.rays.pool.map(factors_at, parts), strict=True)
         )
-        dim = factors < DIM / bright[columns]
-        factors *= self.visibility.from_points(points, normals, nodes, rows, columns, dim)
+        kind = np.searchsorted(SHARES, factors * bright[columns])
+        factors *= self.visibility.from_points(points, normals, nodes, rows, columns, kind)
         begin = np.searchsorted(rows, np.arange(len(points) + 1))
         return np.asarray(csr_matrix((factors, columns, begin), (len(points), len(nodes))) @ radiosity)
 
@@ -146,7 +157,7 @@ def linked(tree: Tree, accuracy: float = ACCURACY, rays: Rays | None = None, pro
     """
     tell = progress or silent
     nodes, count = tree.nodes, tree.levels[1]
-    roots = patches_from(nodes.scene, nodes.corners[:count], nodes.counts[:count], nodes.polygon[:count])
+    roots = nodes.chosen(np.arange(count))
     coarse = compute(roots, rays=rays, limit=limit, progress=lambda _, done, of: tell("coarse solution", done, of))
     B = solved(coarse, tolerance=1e-3)[-1].B
     start = time.perf_counter()
@@ -216,7 +227,7 @@ class _Refiner:
         )
         seeing = np.flatnonzero(S > 0.0)
         pairs, S, spread, tilt = pairs[seeing], S[seeing], spread[seeing], tilt[seeing]
-        share, undecided = self.visibility.fractions_and_undecided(nodes.corners, nodes.counts, nodes.normal, pairs)
+        share, undecided = self.visibility.fractions_and_undecided(nodes, pairs)
         uneven = self._unevenness(pairs, S, spread, share, undecided) > self.least
         uneven &= self.tree.child[pairs] >= 0
         done = ~uneven.any(axis=1)

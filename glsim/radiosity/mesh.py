@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +31,12 @@ class PatchMesh:
     triangle_patch: Int
     corners: Int
 
+    @property
+    def areas(self) -> Float:
+        """The areas of the triangles, (T,)."""
+        a, b, c = np.moveaxis(self.vertices[self.triangles], 1, 0)
+        return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2.0)
+
     def __repr__(self) -> str:
         return f"<PatchMesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
 
@@ -51,9 +57,8 @@ class Outline:
 def outline(patches: Patches) -> Outline:
     """Give numbers to the patches' corners: patches of one flat polygon, or of one smooth body, share vertices."""
     n = len(patches)
-    group = np.asarray(patches.scene.group or range(len(patches.scene.polygons)), np.int64)[patches.polygon]
     unit = SAME * patches.scene.size
-    keys = np.column_stack([np.round(patches.corners.reshape(-1, 3) / unit).astype(np.int64), np.repeat(group, 4)])
+    keys = np.column_stack([np.round(patches.corners.reshape(-1, 3) / unit).astype(np.int64), np.repeat(patches.group, 4)])
     _, first, number = np.unique(keys, axis=0, return_index=True, return_inverse=True)
     corners = number.reshape(n, 4)
     positions = patches.corners.reshape(-1, 3)[first]
@@ -95,8 +100,14 @@ def _between(corners: Int, counts: Int, positions: Float, group: Int, unit: floa
 def mesh_of(patches: Patches) -> PatchMesh:
     """Return the patches as triangles without T-vertices.
 
-    A patch on whose edges lie vertices of its neighbours becomes a fan around its middle.
+    A patch on whose edges lie vertices of its neighbours becomes a fan around its middle.  Of a cluster the pieces are
+    drawn; its corners are vertices of one of them.
     """
+    if patches.clusters is not None:
+        pieces, whole = patches.drawn()
+        mesh, corners = mesh_of(pieces), np.empty((len(patches), 4), np.int64)
+        corners[whole] = mesh.corners
+        return replace(mesh, patch=whole[mesh.patch], triangle_patch=whole[mesh.triangle_patch], corners=corners)
     lines = outline(patches)
     corners, counts = lines.corners, patches.counts
     fans = np.array(sorted({k for k, _ in lines.between}), np.int64)

@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from glsim.radiosity.compiled import jit, parallel, prange
+from glsim.radiosity.compiled import jit
 from glsim.radiosity.contour import contour
 from glsim.radiosity.polygon import MOST_CORNERS, area, at_point, clip, dot, lambert, too_far
 
@@ -46,7 +46,8 @@ def _by_points(one: Any, n_1: int, normal: Any, two: Any, n_2: int, several: boo
     total = 0.0
     triangle = np.empty((3, 3))
     for m in range(1, n_1 - 1):
-        triangle[0], triangle[1], triangle[2] = one[0], one[m], one[m + 1]
+        for k in range(3):
+            triangle[0, k], triangle[1, k], triangle[2, k] = one[0, k], one[m, k], one[m + 1, k]
         weight = area(triangle, 3)
         if several:
             for corner in range(3):  # exact for polynomials of second degree
@@ -113,7 +114,7 @@ def pair(
     return float(max(_by_points(two, count_2, n_2, one, count_1, several), 0.0))
 
 
-@parallel
+@jit
 def rows(
     corners: Any, counts: Any, normals: Any, centers: Any, sizes: Any, first: int, last: int, exact: bool, out: Any
 ) -> None:
@@ -122,9 +123,9 @@ def rows(
     corners: (n, 4, 3); counts, sizes (diameters): (n,); normals, centers: (n, 3).  exact: see ``pair``.
     """
     n = len(corners)
-    for r in prange(last - first):
+    clipped_1, clipped_2 = np.empty((MOST_CORNERS, 3)), np.empty((MOST_CORNERS, 3))
+    for r in range(last - first):
         i = first + r
-        clipped_1, clipped_2 = np.empty((MOST_CORNERS, 3)), np.empty((MOST_CORNERS, 3))
         for j in range(i + 1, n):
             out[r, j] = pair(
                 corners[i], counts[i], normals[i], corners[j], counts[j], normals[j], centers[i], centers[j], sizes[i],
@@ -132,7 +133,7 @@ def rows(
             )  # fmt: skip
 
 
-@parallel
+@jit
 def point_factors(
     points: Any, normals: Any, corners: Any, counts: Any, patch_normals: Any, centers: Any, sizes: Any, least: Any,
     out: Any,
@@ -141,8 +142,8 @@ def point_factors(
 
     Those below ``least`` (n,) stay 0.  The patches as in ``rows``.
     """
-    for r in prange(len(points)):
-        work = np.empty((MOST_CORNERS, 3))
+    work = np.empty((MOST_CORNERS, 3))
+    for r in range(len(points)):
         for j in range(len(corners)):
             if not too_far(points[r], centers[j], sizes[j], least[j]):
                 value = at_point(points[r], normals[r], corners[j], counts[j], patch_normals[j], work)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,12 +16,54 @@ Int = NDArray[np.int64]
 
 
 @dataclass(frozen=True, repr=False)
+class Clusters:
+    """Which patches are clusters of smaller ones, see clusters.py.
+
+    of: (n,), the number of each patch's cluster, -1 if it is none; start: (c + 1,), cluster k has the pieces start[k] up
+    to start[k + 1].
+    """
+
+    of: Int
+    start: Int
+    pieces: Patches
+
+    def chosen(self, numbers: Int) -> Clusters | None:
+        """Return the clusters of the patches with these numbers; None if none of them is a cluster."""
+        kept = self.of[numbers]
+        wanted = kept[kept >= 0]
+        if not len(wanted):
+            return None
+        of, many = np.full(len(kept), -1), np.diff(self.start)[wanted]
+        of[kept >= 0] = np.arange(len(wanted))
+        start = np.concatenate([[0], np.cumsum(many)])
+        pieces = np.repeat(self.start[wanted] - start[:-1], many) + np.arange(start[-1])
+        return Clusters(of, start, self.pieces.chosen(pieces))
+
+    @cached_property
+    def share(self) -> Float:
+        """(m,): how much of its cluster's area lies in each piece and those before it, from 0 to 1."""
+        total = np.concatenate([[0.0], np.cumsum(self.pieces.area)])
+        begin, many = total[self.start[:-1]], np.diff(self.start)
+        whole = np.repeat(total[self.start[1:]] - begin, many)
+        return np.asarray((total[1:] - np.repeat(begin, many)) / whole)
+
+    @cached_property
+    def patch(self) -> Int:
+        """(m,): the patch that each piece is part of."""
+        clusters = np.flatnonzero(self.of >= 0)
+        number = np.empty(len(self.start) - 1, np.int64)
+        number[self.of[clusters]] = clusters
+        return np.repeat(number, np.diff(self.start))
+
+
+@dataclass(frozen=True, repr=False)
 class Patches:
     """n patches, convex and planar with three or four corners.
 
     corners: (n, 4, 3), a triangle repeats its last corner; counts: (n,) 3 or 4; polygon: (n,) number in scene.polygons;
     level: (n,) how often it was divided into four.
     area: (n,); center, normal: (n, 3); size: (n,), the diameter of a sphere around the center; rho, E: (n, 3).
+    clusters: None if each patch is a part of one polygon.
     """
 
     scene: Scene
@@ -34,12 +77,57 @@ class Patches:
     size: Float
     rho: Float
     E: Float
+    clusters: Clusters | None = None
 
     def __repr__(self) -> str:
         return f"<Patches of {self.scene.name}: {len(self)}>"
 
     def __len__(self) -> int:
         return len(self.corners)
+
+    def noted(self, note: str) -> Patches:
+        """Return the same patches of a scene with one more note."""
+        return replace(self, scene=replace(self.scene, notes=(*self.scene.notes, note)))
+
+    @property
+    def group(self) -> Int:
+        """The number of the wall or smooth body that each patch is part of, (n,)."""
+        scene = self.scene
+        return np.asarray(scene.group or range(len(scene.polygons)), np.int64)[self.polygon]
+
+    @property
+    def is_cluster(self) -> NDArray[np.bool_]:
+        """Whether each patch stands for several smaller ones, (n,)."""
+        return np.zeros(len(self), bool) if self.clusters is None else np.asarray(self.clusters.of >= 0)
+
+    def with_clusters(self, others: Patches, of: Int) -> Patches:
+        """Return other patches, of which those with a number of these patches' clusters, of (n,), are these patches."""
+        assert self.clusters is not None
+        mine, theirs = np.flatnonzero(self.is_cluster), np.flatnonzero(of >= 0)
+        number = np.empty(len(mine), np.int64)
+        number[self.clusters.of[mine]] = mine
+        changed = {}
+        for name in ("area", "center", "normal", "size", "rho", "E"):
+            changed[name] = getattr(others, name).copy()
+            changed[name][theirs] = getattr(self, name)[number[of[theirs]]]
+        return replace(others, **changed, clusters=replace(self.clusters, of=of))
+
+    def chosen(self, numbers: Int) -> Patches:
+        """Return the patches with these numbers; each cluster at most once."""
+        p, c = self, self.clusters
+        some = (getattr(p, name)[numbers] for name in ("corners", "counts", "polygon", "level", "area", "center",
+                                                       "normal", "size", "rho", "E"))  # fmt: skip
+        return Patches(p.scene, *some, clusters=None if c is None else c.chosen(numbers))
+
+    def drawn(self) -> tuple[Patches, Int]:
+        """Return what is drawn, patches that are no clusters and the pieces of clusters, and the patch of each."""
+        if self.clusters is None:
+            return self, np.arange(len(self))
+        alone, pieces = np.flatnonzero(~self.is_cluster), self.clusters.pieces
+        first = replace(self, clusters=None).chosen(alone)
+        names = ("corners", "counts", "polygon", "level")
+        both = (np.concatenate([getattr(first, name), getattr(pieces, name)]) for name in names)
+        return patches_from(self.scene, *both), np.concatenate([alone, self.clusters.patch])
 
     def triangles(self) -> tuple[Float, Int]:
         """Return the patches as triangles (m, 3, 3), and the patch of each (m,)."""

@@ -43,16 +43,17 @@ def clip(polygon: Any, count: int, n: Any, at: float, out: Any) -> int:
     Hodgman 1974)
     """
     written = 0
-    for k in range(count):
-        a, b = polygon[k], polygon[(k + 1) % count]
-        da, db = dot(n, a) - at, dot(n, b) - at
+    for k in range(count):  # numbers one by one: numba takes long to compile assignments of arrays
+        following = k + 1 if k + 1 < count else 0
+        da, db = dot(n, polygon[k]) - at, dot(n, polygon[following]) - at
         if da >= 0.0:
-            out[written] = a
+            for c in range(3):
+                out[written, c] = polygon[k, c]
             written += 1
         if (da > 0.0 and db < 0.0) or (da < 0.0 and db > 0.0):
             t = da / (da - db)
             for c in range(3):
-                out[written, c] = a[c] + t * (b[c] - a[c])
+                out[written, c] = polygon[k, c] + t * (polygon[following, c] - polygon[k, c])
             written += 1
     return written
 

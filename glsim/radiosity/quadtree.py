@@ -31,11 +31,11 @@ def _stack(*corners: Float) -> Float:
 
 
 def divided(patches: Patches, chosen: NDArray[np.bool_]) -> Patches:
-    """Return the patches with the chosen ones (a mask (n,)) in four parts each.
+    """Return the patches with the chosen ones (a mask (n,)) in four parts each; clusters are never divided.
 
     More are divided until neighbours are at most one level apart: a balanced quadtree.
     """
-    now = _divide(patches, chosen)
+    now = _divide(patches, chosen & ~patches.is_cluster)
     while (coarse := _unbalanced(now)).any():
         now = _divide(now, coarse)
     return now
@@ -49,9 +49,13 @@ def _divide(patches: Patches, chosen: NDArray[np.bool_]) -> Patches:
 
     parts = quarters(patches.corners[chosen], patches.counts[chosen]).reshape(-1, 4, 3)
     corners = np.concatenate([patches.corners[~chosen], parts])
-    return patches_from(
+    result = patches_from(
         patches.scene, corners, joined(patches.counts), joined(patches.polygon), joined(patches.level, 1)
     )
+    if patches.clusters is None:
+        return result
+    of = np.concatenate([patches.clusters.of[~chosen], np.full(4 * int(chosen.sum()), -1)])
+    return patches.with_clusters(result, of)
 
 
 def _unbalanced(patches: Patches) -> NDArray[np.bool_]:
@@ -62,4 +66,4 @@ def _unbalanced(patches: Patches) -> NDArray[np.bool_]:
     result = np.zeros(len(patches), bool)
     for (patch, _), vertices in lines.between.items():
         result[patch] |= finest[vertices].max() > patches.level[patch] + 1
-    return result
+    return result & ~patches.is_cluster

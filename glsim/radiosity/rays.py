@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import threading
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -39,6 +40,10 @@ class Rays:
         self.pool = ThreadPoolExecutor(threads or os.cpu_count() or 1)
         self.trees = {0.0: _tree(triangles - self.middle)}
         self.local = threading.local()
+
+    def share(self, work: Callable[[int, int], object], count: int, step: int) -> None:
+        """Call ``work(first, last)`` for all parts of 0 to ``count`` that are ``step`` long, in all threads."""
+        list(self.pool.map(lambda k: work(k, min(k + step, count)), range(0, count, step)))
 
     def blocked(self, origins: Single, directions: Single) -> NDArray[np.bool_]:
         """Whether each ray meets a triangle: (n,).

@@ -64,16 +64,48 @@ class Scene:
         polygons, lamps = len(self.polygons), len(self.emitters)
         return f"<Scene {self.name}: {polygons} polygons, {lamps} emitting, {len(self.materials)} materials>"
 
-    @property
+    @cached_property
     def size(self) -> float:
         """The length of the bounding box's diagonal."""
         points = np.concatenate(self.polygons)
         return float(np.linalg.norm(np.ptp(points, axis=0)))
 
     @cached_property
+    def areas(self) -> Float:
+        """The areas of the polygons, (number of polygons,)."""
+        return np.array([area_of(polygon) for polygon in self.polygons])
+
+    @cached_property
     def normals(self) -> Float:
         """Unit normals of the polygons, (number of polygons, 3)."""
         return np.array([normal_of(polygon) for polygon in self.polygons])
+
+    @cached_property
+    def vectors(self) -> Float:
+        """Twice the areas of the polygons along their normals, by Newell's method: (number of polygons, 3)."""
+        result = np.empty((len(self.polygons), 3))
+        for numbers, corners in self.by_corners:
+            around = corners - corners[:, :1]
+            result[numbers] = np.cross(around, np.roll(around, -1, axis=1)).sum(axis=1)
+        return result
+
+    @cached_property
+    def by_corners(self) -> list[tuple[NDArray[np.int64], Float]]:
+        """The polygons by how many corners they have: numbers (m,) and corners (m, k, 3) for each k."""
+        many = np.array([len(polygon) for polygon in self.polygons])
+        numbers = [np.flatnonzero(many == k) for k in np.unique(many)]
+        return [(some, np.array([self.polygons[k] for k in some.tolist()])) for some in numbers]
+
+    @cached_property
+    def normals(self) -> Float:
+        """Unit normals of the polygons, (number of polygons, 3); zeros without an area."""
+        length = np.linalg.norm(self.vectors, axis=1, keepdims=True)
+        return np.divide(self.vectors, length, out=np.zeros_like(self.vectors), where=length > 0.0)
+
+    @cached_property
+    def areas(self) -> Float:
+        """The areas of the polygons, (number of polygons,)."""
+        return np.linalg.norm(self.vectors, axis=1) / 2.0
 
     @property
     def emitters(self) -> list[int]:

@@ -76,6 +76,7 @@ def tree_over(roots: Patches, length: float) -> Tree:
     """Divide patches into four, and again, until their edges are about ``length`` (the scene's unit)."""
     edges = np.sqrt(roots.area * np.where(roots.counts == 4, 1.0, 2.0))
     depth = np.clip(np.round(np.log2(np.maximum(edges / length, 1e-9))), 0, DEEPEST).astype(np.int64)
+    depth[roots.is_cluster] = 0
     corners, counts, polygon = [roots.corners], [roots.counts], [roots.polygon]
     parent, child, levels = [np.full(len(roots), -1)], [np.full(len(roots), -1)], [0, len(roots)]
     while (inner := np.flatnonzero(depth > 0)).size:
@@ -90,14 +91,18 @@ def tree_over(roots: Patches, length: float) -> Tree:
     level = np.repeat(np.arange(len(corners)), [len(part) for part in corners])
     whole = np.concatenate(corners), np.concatenate(counts), np.concatenate(polygon)
     nodes = patches_from(roots.scene, *whole, level)
+    if roots.clusters is not None:
+        of = np.concatenate([roots.clusters.of, np.full(len(nodes) - len(roots), -1)])
+        nodes = roots.with_clusters(nodes, of)
     return Tree(nodes, np.concatenate(parent), np.concatenate(child), tuple(levels))
 
 
 def tree_of(scene: Scene, count: int, rays: Rays | None = None) -> Tree:
     """Return a tree of about ``count`` elements, over as few roots as the scene's polygons need, or about ROOTS."""
-    length = length_for(scene, count)
-    fewest = max(ROOTS, 2 * number_of_cells(scene, scene.size))
+    length, gather = length_for(scene, count)
+    fewest = max(ROOTS, 0 if gather else 2 * number_of_cells(scene, scene.size))
     depth = 0
     while depth < DEEPEST and number_of_cells(scene, length * 2.0**depth) > fewest:
         depth += 1
-    return tree_over(subdivide(scene, length=length * 2.0**depth, rays=rays), length)
+    small = length if gather else None
+    return tree_over(subdivide(scene, length=length * 2.0**depth, rays=rays, small=small), length)

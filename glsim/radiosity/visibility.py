@@ -15,7 +15,7 @@ later, is then taken under the same condition.
 from __future__ import annotations
 
 import threading
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,20 +23,39 @@ from numpy.typing import NDArray
 from glsim.radiosity.bodies import HIDDEN, UNDECIDED, bodies_of, decide
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.rays import Rays, Single
-from glsim.radiosity.samples import add_seen, rays_between, rays_from_points
+from glsim.radiosity.samples import Surface, add_seen, rays_between, rays_from_points
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 FIRST, MORE = 16, 48  # rays of a pair
 FEW = 1000  # patches, of which each pair gets twice as many
-POINT_RAYS = 12  # from a vertex to a patch, before MORE
-FEW_RAYS = 2  # from a vertex to a patch that sends little
 CHUNK = 1 << 12  # pairs at a time, in each thread
+
+
+class Effort(NamedTuple):
+    """How many rays a point sends to a patch: ``first``, and where these disagree ``more``."""
+
+    first: int
+    more: int
+
+
+EFFORTS = Effort(2, 0), Effort(4, 12), Effort(12, MORE)  # to a patch that sends little, more, much
 
 # Row k of TABLE: the fractional parts of k / r, k / r^2, k / r^3, k / r^4 with r = _ROOT, which are evenly spread over
 # the four-dimensional unit cube (Roberts 2018).
 _ROOT = 1.1673039782614187  # x^5 = x + 1
 TABLE = np.outer(np.arange(2 * (FIRST + MORE)), [_ROOT**-k for k in range(1, 5)]) % 1.0
+
+
+def _surface(patches: Patches, middle: Float) -> Surface:
+    """Return where rays to patches begin and end; middle: (3,), the origin of their coordinates."""
+    c = patches.clusters
+    if c is None:
+        none = np.full(len(patches), -1), np.zeros(1, np.int64), np.zeros(0)
+        return Surface(patches.corners - middle, patches.counts, patches.normal, *none,
+                       np.zeros((0, 4, 3)), patches.counts[:0], np.zeros((0, 3)))  # fmt: skip
+    return Surface(patches.corners - middle, patches.counts, patches.normal, c.of, c.start, c.share,
+                   c.pieces.corners - middle, c.pieces.counts, c.pieces.normal)  # fmt: skip
 
 
 class Visibility:
@@ -52,33 +71,38 @@ class Visibility:
         self.last_reach: tuple[Float, Single] | None = None
         self.local = threading.local()
 
-    def fractions(self, corners: Float, counts: Int, normals: Float, pairs: Int) -> Float:
+    def fractions(self, patches: Patches, pairs: Int) -> Float:
         """Return the share of each pair's form factor that is not blocked: (k,), in [0, 1].
 
-        corners: (n, 4, 3), counts (n,), normals (n, 3) of the patches; pairs: (k, 2), their numbers.
+        pairs: (k, 2), numbers of patches.
         """
-        return self.fractions_and_undecided(corners, counts, normals, pairs)[0]
+        return self.fractions_and_undecided(patches, pairs)[0]
 
-    def fractions_and_undecided(self, corners: Float, counts: Int, normals: Float, pairs: Int) -> tuple[Float, Int]:
+    def fractions_and_undecided(self, patches: Patches, pairs: Int) -> tuple[Float, Int]:
         """Return the same shares as ``fractions``, and the numbers of the pairs that rays decided.
 
         The bodies alone decide the other pairs, whose shares, 0 or 1, are certain.
         """
-        reach = self._reach_of(corners)
+        reach = self._reach_of(patches)
         result, undecided = self._by_bodies(reach, reach, pairs[:, 0], pairs[:, 1])
-        corners = corners - self.rays.middle
+        surface = _surface(patches, self.rays.middle)
         chunks = [undecided[k : k + CHUNK] for k in range(0, len(undecided), CHUNK)]
-        work = self.rays.pool.map(lambda chunk: self._chunk(corners, counts, normals, pairs[chunk]), chunks)
+        work = self.rays.pool.map(lambda chunk: self._chunk(surface, pairs[chunk]), chunks)
         for chunk, values in zip(chunks, work, strict=True):
             result[chunk] = values
         return result, undecided
 
-    def _reach_of(self, corners: Float) -> Single | None:
-        """Return Bodies.reach of patches with these corners, remembered for the patches that were asked for last."""
+    def _reach_of(self, patches: Patches) -> Single | None:
+        """Return Bodies.reach of patches, remembered for the patches that were asked for last."""
         if self.bodies is None:
             return None
-        if self.last_reach is None or self.last_reach[0] is not corners:
-            self.last_reach = corners, self.bodies.reach(corners)
+        if self.last_reach is None or self.last_reach[0] is not patches.corners:
+            reach, clusters = self.bodies.reach(patches.corners), patches.clusters
+            if clusters is not None:
+                of, begin = self.bodies.reach(clusters.pieces.corners), clusters.start[:-1]
+                both = np.minimum.reduceat(of[..., 0], begin), np.maximum.reduceat(of[..., 1], begin)
+                reach[patches.is_cluster] = np.stack(both, axis=2)[clusters.of[patches.is_cluster]]
+            self.last_reach = patches.corners, reach
         return self.last_reach[1]
 
     def _by_bodies(self, reach_i: Single | None, reach_j: Single | None, rows: Int, columns: Int) -> tuple[Float, Int]:
@@ -102,27 +126,29 @@ class Visibility:
         return (verdict != HIDDEN).astype(np.float64), np.flatnonzero(verdict == UNDECIDED)
 
     def from_points(
-        self, points: Float, normals: Float, patches: Patches, rows: Int, columns: Int, dim: NDArray[np.bool_]
-    ) -> Float:
+        self, points: Float, normals: Float, patches: Patches, rows: Int, columns: Int, kind: Int,
+        efforts: tuple[Effort, ...] = EFFORTS,
+    ) -> Float:  # fmt: skip
         """Return the share of the form factor from points[rows] to patches[columns] that is not blocked: (k,).
 
-        points: (m, 3), with unit normals (m, 3); rows, columns: (k,); dim: (k,), pairs along which little light
-        comes, to which fewer rays are sent.
+        points: (m, 3), with unit normals (m, 3); rows, columns: (k,); kind: (k,), for each pair the number of its
+        effort in ``efforts``.
         """
         reach = self.bodies.reach(points[:, None]) if self.bodies is not None else None
-        result, undecided = self._by_bodies(reach, self._reach_of(patches.corners), rows, columns)
-        few, many = undecided[dim[undecided]], undecided[~dim[undecided]]
-        points, corners = points - self.rays.middle, patches.corners - self.rays.middle
-        work = [(few[k : k + CHUNK], FEW_RAYS, 0) for k in range(0, len(few), CHUNK)]
-        work += [(many[k : k + CHUNK], POINT_RAYS, MORE) for k in range(0, len(many), CHUNK)]
+        result, undecided = self._by_bodies(reach, self._reach_of(patches), rows, columns)
+        points, surface = points - self.rays.middle, _surface(patches, self.rays.middle)
+        work = []
+        for number, (first, more) in enumerate(efforts):
+            some, step = undecided[kind[undecided] == number], max(1, CHUNK * FIRST // first)
+            work += [(some[k : k + step], first, more) for k in range(0, len(some), step)]
 
         def shares(chunk: Int, count: int, more: int) -> Float:
             seen, total = np.zeros(len(chunk)), np.zeros(len(chunk))
-            arrays = (points, normals, rows[chunk], corners, patches.counts, patches.normal, columns[chunk])
+            arrays = (points, normals, rows[chunk], surface, columns[chunk])
             self._send(arrays, 0, count, count, seen, total)
             mixed = np.flatnonzero((seen > 0.0) & (seen < total))
             if more and len(mixed):
-                arrays = (*arrays[:2], rows[chunk[mixed]], *arrays[3:6], columns[chunk[mixed]])
+                arrays = (points, normals, rows[chunk[mixed]], surface, columns[chunk[mixed]])
                 seen_more, total_more = np.zeros(len(mixed)), np.zeros(len(mixed))
                 self._send(arrays, count, more, count, seen_more, total_more)
                 seen[mixed] += seen_more
@@ -136,34 +162,32 @@ class Visibility:
     def _send(self, arrays: Any, first: int, count: int, group: int, seen: Float, total: Float) -> None:
         """Send the rays ``first`` to ``first + count`` of each point and patch, and add their weights, see add_seen."""
         origins, directions, weights = self._arrays(len(seen) * count)
-        points, normals, rows, corners, counts, facing, columns = arrays
-        patches = (corners, counts, facing)
+        points, normals, rows, surface, columns = arrays
         rays_from_points(
-            points, normals, rows, *patches, columns, self.rays.gap, first, count, origins, directions, weights
+            points, normals, rows, surface, columns, self.rays.gap, first, count, origins, directions, weights
         )
         add_seen(weights, self.rays.blocked(origins, directions), count, group, first > 0, seen, total)
 
-    def _chunk(self, corners: Float, counts: Int, normals: Float, pairs: Int) -> Float:
+    def _chunk(self, surface: Surface, pairs: Int) -> Float:
         """Return the share of each pair (k, 2) by rays alone, in this thread: (k,)."""
         seen, total = np.zeros(len(pairs)), np.zeros(len(pairs))
-        times = 2 if len(corners) < FEW else 1
+        times = 2 if len(surface.corners) < FEW else 1
         group = times * FIRST
-        self._shoot(corners, counts, normals, pairs, 0, group, group, seen, total)
+        self._shoot(surface, pairs, 0, group, group, seen, total)
         mixed = np.flatnonzero((seen > 0.0) & (seen < total))
         if len(mixed):
             seen_more, total_more = np.zeros(len(mixed)), np.zeros(len(mixed))
-            self._shoot(corners, counts, normals, pairs[mixed], group, times * MORE, group, seen_more, total_more)
+            self._shoot(surface, pairs[mixed], group, times * MORE, group, seen_more, total_more)
             seen[mixed] += seen_more
             total[mixed] += total_more
         return np.divide(seen, total, out=np.zeros_like(seen), where=total > 0.0)
 
     def _shoot(
-        self, corners: Float, counts: Int, normals: Float, pairs: Int, first: int, count: int, group: int, seen: Float,
-        total: Float,
-    ) -> None:  # fmt: skip
+        self, surface: Surface, pairs: Int, first: int, count: int, group: int, seen: Float, total: Float
+    ) -> None:
         """Send the rays ``first`` to ``first + count`` of each pair, and add their weights, see add_seen."""
         origins, directions, weights = self._arrays(len(pairs) * count)
-        rays_between(corners, counts, normals, pairs, TABLE, self.rays.gap, first, count, origins, directions, weights)
+        rays_between(surface, pairs, TABLE, self.rays.gap, first, count, origins, directions, weights)
         add_seen(weights, self.rays.blocked(origins, directions), count, group, first > 0, seen, total)
 
     def _arrays(self, size: int) -> tuple[Single, Single, Float]:

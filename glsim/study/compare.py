@@ -44,7 +44,7 @@ def compare(
     camera: Camera | str | None = None,
     animate: str | None = None,
     frames: int = 36,
-    patches: int = 2000,
+    patches: int = 1000,
     view: int = 0,
     timeout: float | None = 60.0,
     backend: str = "auto",

@@ -182,7 +182,7 @@ class Wanted(NamedTuple):
     lights: Sequence[Lamp] | None = None
     material: str | None = None
     camera: Camera | None = None
-    patches: int = 2000
+    patches: int = 1000
     view: int = 0
     timeout: float | None = 60.0
     calls: bool = False

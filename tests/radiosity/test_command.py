@@ -135,7 +135,7 @@ def test_the_command_interrupted(
     assert run("goral --patches 60 -o first.png") == 0  # in a new process the code is compiled before, by a small solve
     (folder / "first.png").unlink()
     with monkeypatch.context() as patched:
-        patched.setattr("glsim.radiosity.solution.gathered", interrupted)
+        patched.setattr("glsim.radiosity.solution.mesh_of", interrupted)
         assert run("goral --patches 60 -o a.png") == 130
     told = capsys.readouterr().err
     assert "what is done is in a.unfinished.npz; the same command goes on with it" in told

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from glsim.radiosity.bodies import bodies_of, surface_of
 from glsim.radiosity.methods import compute
+from glsim.radiosity.patches import patches_of
 from glsim.radiosity.rays import Rays
 from glsim.radiosity.scene import Builder, Material, Scene, box, normal_of, quad
 from glsim.radiosity.solvers import solved
@@ -194,9 +196,11 @@ def test_a_small_share_is_right_in_the_mean() -> None:
         for x in (0.0, 4.0)
     ]
     polygons = np.concatenate([ends[0], ends[1][:, ::-1]])
-    normals = np.array([normal_of(polygon) for polygon in polygons])
     pairs = np.stack([index.ravel() for index in np.meshgrid(np.arange(100), np.arange(100, 200))], axis=1)
-    shares = Visibility(Rays(b.scene().checked())).fractions(polygons, np.full(200, 4), normals, pairs)
+    scene = b.scene().checked()
+    parts = patches_of(scene, list(polygons), [0] * 200)
+    parts = replace(parts, normal=np.array([normal_of(polygon) for polygon in polygons]))
+    shares = Visibility(Rays(scene)).fractions(parts, pairs)
     random = np.random.default_rng(1)
     z = [polygons[pairs[:, k], :, 2].min(axis=1) + 0.2 * random.random((400, len(pairs))) for k in (0, 1)]
     true = np.abs((z[0] + z[1]) / 2.0 - 1.0) < 0.02

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from glsim import radiosity
-from glsim.radiosity.gather import averaged, gathered, radiosity_at, unevenness
+from glsim.radiosity.gather import Gatherer, averaged, gathered, radiosity_at
+from glsim.radiosity.lamps import Lamps
 from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.methods import compute
 from glsim.radiosity.patches import patches_of
@@ -24,9 +25,9 @@ def test_vertices_where_light_changes_fast() -> None:
     coarse, fine = (compute(subdivide(scene, count)) for count in (500, 3500))
     B, B_fine = (solved(factors)[-1].B for factors in (coarse, fine))
     mesh, mesh_fine = (mesh_of(factors.patches) for factors in (coarse, fine))
-    bright = gathered(fine, mesh_fine, B_fine)[mesh_fine.corners]
-    H = radiosity_at(fine, mesh.at, mesh.normals, np.zeros(len(mesh.at), int), B_fine) - fine.patches.E[0]
-    H = H / fine.patches.rho[0] + unevenness(fine, mesh.at, mesh.normals, bright)
+    _, gatherer = Gatherer(fine, B_fine, Lamps.of(fine.patches, fine.visibility)).on(mesh_fine)
+    here = mesh.at, mesh.normals
+    H = gatherer.direct(*here) + gatherer.bounced(*here, np.zeros(len(mesh.at), int))
     true = coarse.patches.E[mesh.patch] + coarse.patches.rho[mesh.patch] * H
     even = radiosity_at(coarse, mesh.at, mesh.normals, mesh.patch, B)
     dark = coarse.patches.E[mesh.patch].max(axis=1) == 0.0

@@ -27,7 +27,7 @@ def test_what_bodies_tell_agrees_with_rays(name: str) -> None:
     parts = subdivide(BUILT_IN[name].make().checked(), 450)
     S = compute(parts, "analytic").S
     i, j = np.nonzero(np.triu(S))
-    arrays = parts.corners, parts.counts, parts.normal, np.stack([i, j], axis=1)
+    arrays = parts, np.stack([i, j], axis=1)
     with_bodies, rays_alone = Visibility(Rays(parts.scene)), Visibility(Rays(parts.scene))
     rays_alone.bodies = None
     share, asked = with_bodies.fractions_and_undecided(*arrays)
