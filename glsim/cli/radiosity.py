@@ -114,7 +114,13 @@ def _radiosity(options: argparse.Namespace) -> int:
             check_picture_name(name)
     for name in filter(None, (options.direct, options.final_gather)):
         check_picture_name(name)
-    for name in (*options.output, options.direct, options.final_gather, options.json, None if options.scheduler else options.resume):
+    for name in (
+        *options.output,
+        options.direct,
+        options.final_gather,
+        options.json,
+        None if options.scheduler else options.resume,
+    ):
         if isinstance(name, str):
             check_folder(name)
     result = _solved(options)
@@ -180,7 +186,7 @@ def _written(result: Radiosity, options: argparse.Namespace) -> list[str]:
         write_atomically(names[-1], result.beside_direct(options.size, view).save)
     for view in views if options.final_gather else []:
         names.append(_numbered(options.final_gather, view, views))
-        with _bars() as (bars, progress):
+        with _bars() as (_, progress):
             sheet = result.final_gather(options.size, view, progress)
         write_atomically(names[-1], sheet.save)
     return names

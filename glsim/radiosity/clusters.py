@@ -1,10 +1,10 @@
 """Many polygons below the size of a patch exchange light as one patch: a cluster.
 
-A modeller's chair has thousands of triangles, and the light that they send together is that of a few patches.  A cluster
-gathers small pieces of one material that lie near each other and look to about the same side.  For form factors it is
-a rectangle with the pieces' area, middle and mean normal; rays begin and end on the pieces themselves, and the pieces
-are what is drawn.  (Smits, Arvo and Greenberg, A clustering algorithm for radiosity in complex environments, 1994;
-Willmott, Heckbert and Garland, Face cluster radiosity, 1999)
+A modeller's chair has thousands of triangles, and the light that they send together is that of a few patches.  A
+cluster gathers small pieces of one material that lie near each other and look to about the same side.  For form factors
+it is a rectangle with the pieces' area, middle and mean normal; rays begin and end on the pieces themselves, and the
+pieces are what is drawn.  (Smits, Arvo and Greenberg, A clustering algorithm for radiosity in complex environments,
+1994; Willmott, Heckbert and Garland, Face cluster radiosity, 1999)
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.patches import Clusters, Patches
+from glsim.radiosity.patches import ARRAYS, Clusters, Patches
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
@@ -27,7 +27,7 @@ def clustered(patches: Patches, length: float) -> Patches:
     """Return patches of which small ones are gathered in clusters; length: of a patch's edge, in the scene's unit."""
     small = np.flatnonzero((patches.area < (SMALL * length) ** 2) & (patches.size < LONG * length))
     normal = np.round(patches.normal[small], 3)
-    side, octant = np.abs(normal).argmax(axis=1), normal >= 0.0  # 24 directions, as many as flat patches need for a ball
+    side, octant = np.abs(normal).argmax(axis=1), normal >= 0.0  # 24 directions, with which flat ones make a ball
     paint = np.asarray(patches.scene.material)[patches.polygon[small]]
     cube = np.floor(patches.center[small] / (REACH * length)).astype(np.int64)
     _, label, times = np.unique(
@@ -77,5 +77,5 @@ def _clusters(pieces: Patches, start: Int) -> Patches:
 
 def _joined(one: Patches, two: Patches) -> Patches:
     """Return the patches of both, of the same scene."""
-    names = ("corners", "counts", "polygon", "level", "area", "center", "normal", "size", "rho", "E")
-    return Patches(one.scene, *(np.concatenate([getattr(one, name), getattr(two, name)]) for name in names))
+    both = {name: np.concatenate([getattr(one, name), getattr(two, name)]) for name in ARRAYS}
+    return Patches(one.scene, **both)

@@ -5,11 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from glsim.radiosity.bodies import GAP
 from glsim.radiosity.near import overlapping
 from glsim.radiosity.scene import Scene, area_of
 
 Float = NDArray[np.float64]
 Segments = list[tuple[Float, Float]]
+LAYER = 2.5 * GAP  # of the scene's size: layers that are nearer to each other cannot be told apart by rays
 TOUCHING = 1e-6  # of the scene's size: this near, polygons touch
 SLIVER = 1e-3  # of a whole cell's area: smaller pieces are left out
 
@@ -21,13 +23,13 @@ def contacts(scene: Scene, shortest: float = 0.0) -> dict[int, Segments]:
     edge's bounding box overlaps the polygon's.  Polygons without such edges are not in the dictionary, nor are edges
     below a length of ``shortest``.
     """
-    tolerance = TOUCHING * scene.size
+    tolerance, layer = TOUCHING * scene.size, LAYER * scene.size
     many = np.array([len(polygon) for polygon in scene.polygons])
     owner, corners = np.repeat(np.arange(len(many)), many), np.concatenate(scene.polygons)
     begin = np.cumsum(many) - many
     following = np.arange(len(corners)) + 1
     following[begin + many - 1] = begin
-    box = np.minimum.reduceat(corners, begin) - tolerance, np.maximum.reduceat(corners, begin) + tolerance
+    box = np.minimum.reduceat(corners, begin) - layer, np.maximum.reduceat(corners, begin) + layer
     ends = corners[following]
     long = np.flatnonzero(np.linalg.norm(ends - corners, axis=1) > shortest)
     number, edge = overlapping(box, (np.minimum(corners, ends)[long], np.maximum(corners, ends)[long]))
@@ -35,7 +37,7 @@ def contacts(scene: Scene, shortest: float = 0.0) -> dict[int, Segments]:
     origin, normal = corners[begin[number]], scene.normals[number]
     on = owner[edge] != number
     for points in (corners, ends):
-        on &= np.abs(np.einsum("nk,nk->n", points[edge] - origin, normal)) < tolerance
+        on &= np.abs(np.einsum("nk,nk->n", points[edge] - origin, normal)) < layer
     segments: dict[int, Segments] = {}
     for k, e in zip(number[on].tolist(), edge[on].tolist(), strict=True):
         segments.setdefault(k, []).append((corners[e], ends[e]))

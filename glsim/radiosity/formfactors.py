@@ -25,9 +25,11 @@ Int = NDArray[np.int64]
 BLOCK = 1 << 21  # pairs at a time
 AT_ONCE = 16  # rows or points that a thread takes
 TOO_MUCH = 1.01  # a row of form factors that sums to more is mended; rays alone are off by less
-MENDED = "patches at which more than all light would arrive (polygons that reach into each other), mended: {}, worst {:.2f}"
+MENDED = (
+    "patches at which more than all light would arrive (things that reach into each other), mended: {}, worst {:.2f}"
+)
 NEGLIGIBLE = 0.02  # of the mean light from one patch at a point: form factors that bring less are left out
-SHARES = 3e-4, 3e-3  # of the mean light at a point: where what a pair brings is between two of these, its effort changes
+SHARES = 3e-4, 3e-3  # of the mean light at a point: pairs that bring less than these get fewer rays
 
 
 @dataclass(frozen=True, repr=False)
@@ -211,7 +213,8 @@ def upper_rows(
 ) -> None:  # fmt: skip
     """Write S of patches ``first`` up to ``last`` with all of higher number into out (last - first, n).
 
-    visibility: None if nothing blocks.  rays: whose threads work.  seconds: of each stage; the time of this call is added to them.
+    visibility: None if nothing blocks.  rays: whose threads work.  seconds: of each stage; the time of this call is
+    added to them.
     """
     p, start = patches, time.perf_counter()
 

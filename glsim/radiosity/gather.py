@@ -26,6 +26,7 @@ Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 AT_ONCE = 1024  # points
 PARTS = 4  # along each edge of a patch, of which near points see different radiosities
+SAMPLES = 12  # vertices of a cluster at which bounced light is gathered; at the others it is interpolated
 MOST = 0.05  # by which bounced light is scaled, see Gatherer.balanced
 NEAR = 0.02  # from this form factor on a patch is near, below it evenly bright
 
@@ -77,8 +78,7 @@ class Gatherer:
         return self.lamps.at_points(raised(self.patches, points, normals), normals)
 
     def bounced(self, points: Float, normals: Float, patch: Int) -> Float:
-        """Return the irradiance (k, 3) by reflected light at points (k, 3) with unit normals (k, 3), on ``patch`` (k,).
-        """
+        """Return the irradiance (k, 3) by reflected light at points (k, 3), with unit normals (k, 3), of ``patch`` (k,)."""
         H = irradiance_at(self.factors, points, normals, patch, self.B - self.patches.E, self.tell)
         if self.parts is not None:
             H = np.maximum(H + unevenness(self.factors, points, normals, self.parts), 0.0)
@@ -93,19 +93,23 @@ class Gatherer:
 
         The first gather takes the radiosity of each patch as constant.  Then direct light is gathered at the middles of
         all parts of the patches, bounced light is bilinear between their corners, and together they correct the light
-        from near patches, twice.  A vertex inside a body, whose triangles reach out of it, takes the mean of the patches
-        around it.
+        from near patches, twice.  A vertex inside a body, whose triangles reach out of it, takes the mean of the
+        patches around it.
         """
         p = self.patches
         at, normals, patch = mesh.at, mesh.normals, mesh.patch
-        direct, even = self.direct(at, normals), self.bounced(at, normals, patch)
+        some = _sampled(p, patch)
+        direct, even = self.direct(at, normals), np.zeros((len(at), 3))
+        even[some] = self.bounced(at[some], normals[some], patch[some])
         middles = bilinear_parts(p.corners)
         lit = self.direct(middles.reshape(-1, 3), np.repeat(p.normal, PARTS**2, axis=0)).reshape(middles.shape)
         bounced, parts = even, np.zeros((len(p), PARTS**2, 3))
         for _ in range(2):  # the second time with the corners that the first one corrected
             parts = self._scaled(p.rho[:, None] * (lit + bilinear_parts(bounced[mesh.corners])))
             parts[p.is_cluster] = (self.B - p.E)[p.is_cluster, None]
-            bounced = np.maximum(even + unevenness(self.factors, at, normals, parts), 0.0)
+            bounced = even.copy()
+            bounced[some] += unevenness(self.factors, at[some], normals[some], parts)
+            bounced = _filled(np.maximum(bounced, 0.0), some, mesh, p)
         inside = self.covered(at, normals)[:, None]
         reflecting = np.maximum(p.rho, 1e-9)
         around = averaged(p, mesh, (self.B - p.E) / reflecting) - direct
@@ -133,6 +137,37 @@ class Gatherer:
         own."""
         mean, true = parts.mean(axis=1), self.B - self.patches.E
         return np.asarray(parts * np.divide(true, mean, out=np.ones_like(true), where=mean > 0.0)[:, None])
+
+
+def _sampled(patches: Patches, patch: Int) -> Int:
+    """Return the numbers of the vertices, on the patches ``patch`` (V,), at which bounced light is gathered.
+
+    All are, but of a cluster only about SAMPLES.
+    """
+    many = np.where(patches.is_cluster, np.bincount(patch, minlength=len(patches)) // SAMPLES, 1)
+    order = np.argsort(patch, kind="stable")
+    place = np.arange(len(order)) - np.searchsorted(patch[order], patch[order])
+    return np.sort(order[place % np.maximum(many[patch[order]], 1) == 0])
+
+
+def _filled(values: Float, some: Int, mesh: PatchMesh, patches: Patches) -> Float:
+    """Return values at all vertices (V, 3) from those at ``some`` of them: the mean of the nearest, weighted by nearness.
+
+    Near are vertices of clusters at the same place that look to the same side.
+    """
+    from scipy.spatial import cKDTree
+
+    missing = np.setdiff1d(np.arange(len(values)), some)
+    if not len(missing):
+        return values
+    known = some[patches.is_cluster[mesh.patch[some]]]
+    size = float(patches.size[patches.is_cluster].mean())
+    place = np.concatenate([mesh.vertices / size, mesh.normals], axis=1)
+    apart, nearest = cKDTree(place[known]).query(place[missing], k=min(4, len(known)))
+    weight = 1.0 / (apart.reshape(len(missing), -1, 1) ** 2 + 1e-6)
+    near = values[known[nearest.reshape(len(missing), -1)]]
+    values[missing] = (weight * near).sum(axis=1) / weight.sum(axis=1)
+    return values
 
 
 def bilinear_parts(corners: Float) -> Float:
@@ -190,8 +225,9 @@ def unevenness(factors: Factors, points: Float, normals: Float, parts: Float) ->
 
     patches = factors.patches
     points = points + 1e-6 * patches.scene.size * normals
-    around = cKDTree(points).query_ball_point(patches.center, patches.size)
-    columns = np.repeat(np.arange(len(patches)), [len(some) for some in around])
+    uneven = np.flatnonzero(~patches.is_cluster)
+    around = cKDTree(points).query_ball_point(patches.center[uneven], patches.size[uneven])
+    columns = np.repeat(uneven, [len(some) for some in around])
     rows = np.concatenate([np.asarray(some, np.int64) for some in around])
     added = np.zeros((len(rows), 3))
 

@@ -7,8 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from glsim.radiosity.bodies import GAP
-from glsim.radiosity.contacts import TOUCHING
+from glsim.radiosity.contacts import LAYER, TOUCHING
 from glsim.radiosity.near import overlapping
 from glsim.radiosity.patches import Patches, patches_from
 from glsim.radiosity.rays import Rays
@@ -17,7 +16,6 @@ from glsim.radiosity.scene import Scene, SceneError
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 RAYS = 9  # from a point, see _fan
-LAYER = 2.5 * GAP  # of the scene's size: layers that are nearer to each other cannot be told apart by rays
 FLAT = 1.0 - 1e-6  # the cosine between the normals of two layers
 SHIFT = 2e-5  # of the scene's size: how far coinciding polygons are moved apart
 
@@ -25,10 +23,11 @@ SHIFT = 2e-5  # of the scene's size: how far coinciding polygons are moved apart
 def exposed(patches: Patches, rays: Rays) -> Patches:
     """Return the patches without those that nobody can see.
 
-    Three kinds are left out.  A patch inside a body: nearly all rays from its middle and from near its corners meet
-    the backs of polygons.  A patch behind another layer, as a lamp in the ceiling or a rug on the floor: a polygon of
-    the same front lies on it or a hair's breadth before it, see ``_coplanar``.  A patch under a body that stands on it, as the floor under a crate: a coplanar polygon of the opposite
-    front lies on it, and all rays meet backs, or the whole scene is behind the patch's plane.
+    Three kinds are left out.  A patch inside a body: nearly all rays from its middle and from near its corners meet the
+    backs of polygons.  A patch behind another layer, as a lamp in the ceiling or a rug on the floor: a polygon of the
+    same front lies on it or a hair's breadth before it, see ``_coplanar``.  A patch under a body that stands on it, as
+    the floor under a crate: a coplanar polygon of the opposite front lies on it, and all rays meet backs, or the whole
+    scene is behind the patch's plane.
 
     Raises SceneError if nearly everything would be left out: then the normals are inverted.
     """

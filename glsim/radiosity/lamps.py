@@ -1,4 +1,4 @@
-"""The light that comes straight from lamps, gathered at points: shadows as sharp as they are, however large the patches.
+"""The light that comes straight from lamps, gathered at points: however large patches are, shadows are sharp.
 
 A lamp is a whole polygon, not its patches, so that its rays are spread over all of it.  The form factor is Lambert's
 formula, exact; the share that is not blocked is found by rays, many to the lamps that matter at a point.
@@ -20,7 +20,7 @@ Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 AT_ONCE = 1 << 21  # form factors
 FEW = 64  # polygons that are taken whole
-SHARES = 0.01, 0.2  # of a point's light from all lamps: where a lamp's share is between two of these, its effort changes
+SHARES = 0.01, 0.2  # of a point's light from all lamps: lamps that bring less than these get fewer rays
 EFFORTS = Effort(4, 28), Effort(32, 96), Effort(240, 0)  # a shadow's border is where the first ray passes
 
 

@@ -58,7 +58,9 @@ def outline(patches: Patches) -> Outline:
     """Give numbers to the patches' corners: patches of one flat polygon, or of one smooth body, share vertices."""
     n = len(patches)
     unit = SAME * patches.scene.size
-    keys = np.column_stack([np.round(patches.corners.reshape(-1, 3) / unit).astype(np.int64), np.repeat(patches.group, 4)])
+    keys = np.column_stack(
+        [np.round(patches.corners.reshape(-1, 3) / unit).astype(np.int64), np.repeat(patches.group, 4)]
+    )
     _, first, number = np.unique(keys, axis=0, return_index=True, return_inverse=True)
     corners = number.reshape(n, 4)
     positions = patches.corners.reshape(-1, 3)[first]

@@ -44,11 +44,15 @@ class Result(NamedTuple):
 
 
 def _contour(patches: Patches, visibility: Visibility, options: Options) -> Result:
-    return Result(*by_pairs(patches, visibility, visibility.rays, "contour", options.exact, options.progress, options.checkpoint))
+    return Result(
+        *by_pairs(patches, visibility, visibility.rays, "contour", options.exact, options.progress, options.checkpoint)
+    )
 
 
 def _analytic(patches: Patches, visibility: Visibility, options: Options) -> Result:
-    return Result(*by_pairs(patches, None, visibility.rays, "analytic", options.exact, options.progress, options.checkpoint))
+    return Result(
+        *by_pairs(patches, None, visibility.rays, "analytic", options.exact, options.progress, options.checkpoint)
+    )
 
 
 def _point(patches: Patches, visibility: Visibility, options: Options) -> Result:

@@ -19,8 +19,8 @@ Int = NDArray[np.int64]
 class Clusters:
     """Which patches are clusters of smaller ones, see clusters.py.
 
-    of: (n,), the number of each patch's cluster, -1 if it is none; start: (c + 1,), cluster k has the pieces start[k] up
-    to start[k + 1].
+    of: (n,), the number of each patch's cluster, -1 if it is none; start: (c + 1,), cluster k has the pieces start[k]
+    up to start[k + 1].
     """
 
     of: Int
@@ -115,9 +115,8 @@ class Patches:
     def chosen(self, numbers: Int) -> Patches:
         """Return the patches with these numbers; each cluster at most once."""
         p, c = self, self.clusters
-        some = (getattr(p, name)[numbers] for name in ("corners", "counts", "polygon", "level", "area", "center",
-                                                       "normal", "size", "rho", "E"))  # fmt: skip
-        return Patches(p.scene, *some, clusters=None if c is None else c.chosen(numbers))
+        some = {name: getattr(p, name)[numbers] for name in ARRAYS}
+        return Patches(p.scene, **some, clusters=None if c is None else c.chosen(numbers))
 
     def drawn(self) -> tuple[Patches, Int]:
         """Return what is drawn, patches that are no clusters and the pieces of clusters, and the patch of each."""
@@ -134,6 +133,9 @@ class Patches:
         quads = np.flatnonzero(self.counts == 4)
         first, second = self.corners[:, [0, 1, 2]], self.corners[quads][:, [0, 2, 3]]
         return np.concatenate([first, second]), np.concatenate([np.arange(len(self)), quads])
+
+
+ARRAYS = ("corners", "counts", "polygon", "level", "area", "center", "normal", "size", "rho", "E")  # of Patches
 
 
 def patches_from(scene: Scene, corners: Float, counts: Int, polygon: Int, level: Int | None = None) -> Patches:

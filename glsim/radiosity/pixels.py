@@ -116,8 +116,10 @@ def gathered_pixels(result: Radiosity, pixels: Pixels, tell: Progress = silent) 
 
 
 def losses(result: Radiosity, size: int, view: View, tell: Progress = silent) -> Image.Image:
-    """Return a sheet: the picture of constant patches, of their corners, of the drawn mesh, and gathered at every pixel;
-    below them how far each is from the last, relative to it, with the root of the mean square."""
+    """Return a sheet: pictures of constant patches, of their corners, of the drawn mesh, and gathered at every pixel.
+
+    Below them is how far each is from the last, relative to it, with the root of the mean square.
+    """
     scale = result.patches.scene.size
     drawn = pixels_of(result.mesh, view, size, scale)
     true = gathered_pixels(result, drawn, tell)

@@ -39,8 +39,8 @@ class Radiosity:
     """The solution of a scene.
 
     B: (n, 3) per patch; steps: one for each iteration (only the last has its B); mesh, vertex_radiosity: triangles and
-    the radiosity at their vertices (V, 3); light: the irradiance there, None if it was not gathered; seconds: by stage.  white: the radiosity that becomes white (None: chosen by
-    the scene), tone: see tone.TONES, gamma: of the screen.
+    the radiosity at their vertices (V, 3); light: the irradiance there, None if it was not gathered; seconds: by stage.
+    white: the radiosity that becomes white (None: chosen by the scene), tone: see tone.TONES, gamma: of the screen.
     """
 
     patches: Patches

@@ -71,16 +71,6 @@ class Scene:
         return float(np.linalg.norm(np.ptp(points, axis=0)))
 
     @cached_property
-    def areas(self) -> Float:
-        """The areas of the polygons, (number of polygons,)."""
-        return np.array([area_of(polygon) for polygon in self.polygons])
-
-    @cached_property
-    def normals(self) -> Float:
-        """Unit normals of the polygons, (number of polygons, 3)."""
-        return np.array([normal_of(polygon) for polygon in self.polygons])
-
-    @cached_property
     def vectors(self) -> Float:
         """Twice the areas of the polygons along their normals, by Newell's method: (number of polygons, 3)."""
         result = np.empty((len(self.polygons), 3))
@@ -100,12 +90,12 @@ class Scene:
     def normals(self) -> Float:
         """Unit normals of the polygons, (number of polygons, 3); zeros without an area."""
         length = np.linalg.norm(self.vectors, axis=1, keepdims=True)
-        return np.divide(self.vectors, length, out=np.zeros_like(self.vectors), where=length > 0.0)
+        return np.asarray(np.divide(self.vectors, length, out=np.zeros_like(self.vectors), where=length > 0.0))
 
     @cached_property
     def areas(self) -> Float:
         """The areas of the polygons, (number of polygons,)."""
-        return np.linalg.norm(self.vectors, axis=1) / 2.0
+        return np.asarray(np.linalg.norm(self.vectors, axis=1) / 2.0)
 
     @property
     def emitters(self) -> list[int]:

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from glsim.radiosity.adapt import refined
 from glsim.radiosity.compiled import is_cached
+from glsim.radiosity.drawn import refined as finer
 from glsim.radiosity.factors import Factors
 from glsim.radiosity.formfactors import FormFactors
-from glsim.radiosity.drawn import refined as finer
 from glsim.radiosity.gather import Gatherer, Light, averaged
 from glsim.radiosity.hierarchy import ACCURACY, Links, linked
 from glsim.radiosity.lamps import Lamps
@@ -38,7 +38,7 @@ VERTICES = ("gather", "average")
 BRIGHT = 0.95  # reflectance: above it Gauss-Seidel takes hundreds of sweeps
 MANY = 3000  # patches: from here on links are faster than a matrix, and as good at LINKED
 LINKED = 2e-4  # their accuracy then
-DRAWN = 5  # vertices for each patch
+DRAWN, ENOUGH = 5, 8000  # vertices for each patch, but not more than that, or than twice those of the patches' mesh
 
 
 def solve(
@@ -51,14 +51,14 @@ def solve(
 
     what: whatever load.scene_from takes.  patches: about how many.  method: of form factors, see methods.METHODS; by
     default "contour", and above MANY patches "hierarchical" with the accuracy LINKED.  accuracy: of links, in mean
-    radiosities, see hierarchy.linked.  solver: see solvers.SOLVERS; by default "gauss-seidel", and "cg" without a matrix.  adaptive:
-    begin with fewer patches and divide those where the light changes fast.  vertices: "gather" (a final gather at each
-    vertex) or "average" (of patches).  drawn: about how many vertices the mesh that is drawn has, by default five for
-    each patch; 0: the corners of the patches, as with "average" always.  close: scale the form factors so that rows sum to 1, for closed scenes.  flip:
-    turn all fronts to the other side.  checkpoint: see methods.compute.  scheduler: the address of a Dask scheduler
-    whose workers compute the form factors and multiply by them; checkpoint is then the name under which the blocks of
-    form factors stay there (see distributed.Blocks).  threads: for rays, by default one for each processor; the result
-    does not depend on it.
+    radiosities, see hierarchy.linked.  solver: see solvers.SOLVERS; by default "gauss-seidel", and "cg" without a
+    matrix.  adaptive: begin with fewer patches and divide those where the light changes fast.  vertices: "gather" (a
+    final gather at each vertex) or "average" (of patches).  drawn: about how many vertices the mesh that is drawn has,
+    by default DRAWN for each patch; 0: the corners of the patches, as with "average" always.  close: scale the form
+    factors so that rows sum to 1, for closed scenes.  flip: turn all fronts to the other side.  checkpoint: see
+    methods.compute.  scheduler: the address of a Dask scheduler whose workers compute the form factors and multiply by
+    them; checkpoint is then the name under which the blocks of form factors stay there (see distributed.Blocks).
+    threads: for rays, by default one for each processor; the result does not depend on it.
     Raises SceneError.
     """
     _check_numbers(patches, tolerance, accuracy, threads, drawn)
@@ -116,8 +116,9 @@ def _drawn(
     if vertices == "average":
         return mesh, averaged(p, mesh, B), None
     light, gatherer = Gatherer(factors, B, Lamps.of(p, factors.visibility), tell=tell).on(mesh)
-    small = int(p.is_cluster[mesh.patch].sum())  # vertices of clusters, which are as many as they are
-    count = small + DRAWN * len(p) if drawn is None else drawn
+    fixed = int(p.is_cluster[mesh.patch].sum())  # vertices on pieces of clusters, which stay as they are
+    usual = fixed + max(2 * (len(mesh.vertices) - fixed), min(DRAWN * len(p), ENOUGH))
+    count = usual if drawn is None else drawn
     if count > len(mesh.vertices):
         mesh, light = finer(mesh, light, gatherer, count, tell)
     light = gatherer.balanced(mesh, light)

@@ -124,7 +124,7 @@ class Grids(NamedTuple):
 def _sides(quads: Float) -> Float:
     """Return the mean lengths of the first and third, and of the second and fourth edge of quads (k, 4, 3): (k, 2)."""
     edges = np.linalg.norm(np.roll(quads, -1, axis=1) - quads, axis=2)
-    return (edges[:, :2] + edges[:, 2:]) / 2.0
+    return np.asarray((edges[:, :2] + edges[:, 2:]) / 2.0)
 
 
 def _triangle_steps(polygon: Float, length: float) -> int:
