@@ -10,6 +10,7 @@ pieces are what is drawn.  (Smits, Arvo and Greenberg, A clustering algorithm fo
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -77,5 +78,5 @@ def _clusters(pieces: Patches, start: Int) -> Patches:
 
 def _joined(one: Patches, two: Patches) -> Patches:
     """Return the patches of both, of the same scene."""
-    both = {name: np.concatenate([getattr(one, name), getattr(two, name)]) for name in ARRAYS}
+    both: dict[str, Any] = {name: np.concatenate([getattr(one, name), getattr(two, name)]) for name in ARRAYS}
     return Patches(one.scene, **both)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from glsim.radiosity.gather import Gatherer, Light
 from glsim.radiosity.mesh import INWARD, PatchMesh
 from glsim.radiosity.progress import Progress
-from glsim.radiosity.tone import automatic_white, toned
+from glsim.radiosity.tone import GAMMA, automatic_white
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
@@ -169,15 +169,17 @@ def _places(mesh: PatchMesh, edges: Edges, chosen: Int) -> tuple[Float, Float, I
 def _weight(mesh: PatchMesh, light: Light, edges: Edges, middle: Light, gatherer: Gatherer, white: float) -> Float:
     """Return how much the errors at the middles of edges matter, (E,): their squares times the area.
 
-    Errors are those of the colours on the screen, of all light and of direct light alone, because the screen shows
-    colours, and they are what is interpolated.
+    Errors are those of the colours on the screen, of all light and of direct light alone, because it is colours that
+    the screen interpolates; but what is brighter than white still counts.
     """
     rho = gatherer.patches.rho[mesh.triangle_patch[edges.triangle]]
     area = np.bincount(edges.of.ravel(), np.repeat(mesh.areas, 3), len(edges.key))
     total = np.zeros(len(area))
     for at_ends, here in ((light.both, middle.both), (light.direct, middle.direct)):
-        one, two = (toned(rho * at_ends[edges.ends[:, k]], white) for k in (0, 1))
-        total += ((toned(rho * here, white) - (one + two) / 2.0) ** 2).sum(axis=1)
+        one, two, between = (
+            (rho * H / white) ** (1.0 / GAMMA) for H in (at_ends[edges.ends[:, 0]], at_ends[edges.ends[:, 1]], here)
+        )
+        total += ((between - (one + two) / 2.0) ** 2).sum(axis=1)
     return np.asarray(area * total)
 
 

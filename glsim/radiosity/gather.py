@@ -78,7 +78,7 @@ class Gatherer:
         return self.lamps.at_points(raised(self.patches, points, normals), normals)
 
     def bounced(self, points: Float, normals: Float, patch: Int) -> Float:
-        """Return the irradiance (k, 3) by reflected light at points (k, 3), with unit normals (k, 3), of ``patch`` (k,)."""
+        """Return the irradiance (k, 3) by reflected light at points (k, 3), with unit normals (k, 3), on ``patch``."""
         H = irradiance_at(self.factors, points, normals, patch, self.B - self.patches.E, self.tell)
         if self.parts is not None:
             H = np.maximum(H + unevenness(self.factors, points, normals, self.parts), 0.0)
@@ -151,7 +151,7 @@ def _sampled(patches: Patches, patch: Int) -> Int:
 
 
 def _filled(values: Float, some: Int, mesh: PatchMesh, patches: Patches) -> Float:
-    """Return values at all vertices (V, 3) from those at ``some`` of them: the mean of the nearest, weighted by nearness.
+    """Return values at all vertices (V, 3) from those at ``some`` of them: a mean of the nearest four.
 
     Near are vertices of clusters at the same place that look to the same side.
     """
@@ -175,7 +175,7 @@ def bilinear_parts(corners: Float) -> Float:
     t = (np.arange(PARTS) + 0.5) / PARTS
     u, v = np.tile(t, PARTS), np.repeat(t, PARTS)
     weight = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], axis=1)
-    return np.einsum("pc,nck->npk", weight, corners)
+    return np.asarray(np.einsum("pc,nck->npk", weight, corners))
 
 
 def raised(patches: Patches, points: Float, normals: Float) -> Float:
