@@ -2,14 +2,16 @@
 
     scene, scenes     polygons with reflectance and exitance, checks; the built-in ones; load, program: others
     patches           what light is exchanged between; subdivide makes them, contacts cuts them where polygons touch,
-                      hidden leaves out what nobody sees
+                      hidden leaves out what nobody sees, clusters makes one of many; near: boxes that overlap
     methods           a table of the ways to find form factors; formfactors (contour), textbook, hemicube
     visibility        how much of one patch another one sees; rays owns Embree and the threads, bodies save most rays
     hierarchy         links between the levels of a tree instead of a matrix; distributed: blocks elsewhere
     factors           the protocol that a matrix, links and blocks of form factors fulfil
     solvers           the linear system (I - R F) B = E
     adapt             more patches where the light changes fast
-    gather, tone      radiosity at vertices; colours for the screen
+    gather, lamps     light at points: bounced from all patches, direct from lamps
+    mesh, drawn       triangles of the patches; smaller ones where the light changes fast; tone: colours for the screen
+    pixels            a gather at each pixel, and what meshes lose against it
     solution          glsim.radiosity.solve: all steps, from the scene to the radiosity at vertices
     result, view      what it returns: numbers, files, a report; drawing it; pointlights: OpenGL's lights instead
     compiled          numba; inner loops are in polygon, contour, pairs, samples, links and matrix
