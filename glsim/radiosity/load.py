@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -55,7 +56,7 @@ def scene_from(what: Any, materials: Mapping[str, Material] | None = None) -> Sc
         known = ", ".join(sorted(material.name for material in scene.materials))
         raise SceneError(f"{scene.name} has no material named {', '.join(sorted(unknown))}; it has {known}")
     changed = tuple((materials or {}).get(material.name, material) for material in scene.materials)
-    return Scene(scene.name, scene.polygons, scene.material, changed, scene.views, scene.group, scene.notes)
+    return replace(scene, materials=changed)
 
 
 # ---------------------------------------------------------------- files

@@ -75,10 +75,16 @@ class Radiosity:
     # ------------------------------------------------------------ pictures
 
     def draw(self, colors: Float | None = None) -> None:
-        """Draw with the gl commands under the current matrices: vertex colours, GL_SMOOTH, no lighting, fronts only."""
-        from glsim.radiosity.view import draw_colors
+        """Draw with the gl commands under the current matrices: vertex colours, GL_SMOOTH, no lighting, fronts only.
 
-        draw_colors(self.mesh, self.colors() if colors is None else colors)
+        colors: (V, 3) of the vertices, instead of those of the radiosity and of textures.
+        """
+        from glsim.radiosity.view import draw_colors, draw_solution
+
+        if colors is None:
+            draw_solution(self, self.vertex_radiosity)
+        else:
+            draw_colors(self.mesh, colors)
 
     def colors(self, B: Float | None = None) -> Float:
         """Return colours for the screen, (V, 3) in [0, 1], of the vertices' radiosity or of another, B (V, 3)."""
@@ -91,21 +97,26 @@ class Radiosity:
         return self.white or automatic_white(self.patches, self.B)
 
     def picture(
-        self, size: int = 512, view: Viewpoint = 0, *, camera: Camera | None = None, colors: Float | None = None,
-        samples: int = 4,
+        self, size: int = 512, view: Viewpoint = 0, *, camera: Camera | None = None, B: Float | None = None,
+        colors: Float | None = None, samples: int = 4,
     ) -> Image.Image:  # fmt: skip
         """Draw the scene, ``size`` pixels wide and high.
 
-        view: the number of one of its cameras, or a View.  camera: one around the scene instead, as
-        ``Camera(azimuth, elevation, distance)`` of glsim.scenes; see scene.view_around.  colors: (V, 3) of the
-        vertices, instead of those of the radiosity.
+        view: the number or the name of one of its cameras, or a View.  camera: one around the scene instead, as
+        ``Camera(azimuth, elevation, distance)`` of glsim.scenes; see scene.view_around.  B: (V, 3), a radiosity of the
+        vertices instead of the solution's; colors: (V, 3) instead of those of any radiosity and of textures.
 
             radiosity.solve("cornell", 300).picture(camera=Camera(30, 25, 3)).save("from-the-right.png")
         """
-        from glsim.radiosity.view import picture_of
+        from glsim.radiosity.view import draw_colors, draw_solution, picture_of
 
-        shown = self.colors() if colors is None else colors
-        return picture_of(self.mesh, shown, self.patches.scene, self.view(camera or view), size, samples)
+        def draw() -> None:
+            if colors is None:
+                draw_solution(self, self.vertex_radiosity if B is None else B)
+            else:
+                draw_colors(self.mesh, colors)
+
+        return picture_of(draw, self.patches.scene, self.view(camera or view), size, samples)
 
     def direct(self) -> Float:
         """Return the radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
@@ -131,7 +142,7 @@ class Radiosity:
         from glsim.pictures import tiles
 
         both = (("direct illumination", self.direct()), ("radiosity", self.vertex_radiosity))
-        row = [(name, np.asarray(self.picture(size, view, colors=self.colors(B)))) for name, B in both]
+        row = [(name, np.asarray(self.picture(size, view, B=B))) for name, B in both]
         return tiles(self.patches.scene.name, [row], size)
 
     def view(self, which: Viewpoint) -> View:

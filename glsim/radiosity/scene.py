@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from glsim.radiosity.textures import Texture, mapping_of
+
 if TYPE_CHECKING:
     from glsim.scenes import Camera
 
@@ -28,20 +30,25 @@ class SceneError(ValueError):
 
 
 class Material(NamedTuple):
-    """rho: diffuse reflectance, E: exitance (W/m^2 or any unit of it), for red, green and blue."""
+    """rho: diffuse reflectance, E: exitance (W/m^2 or any unit of it), for red, green and blue.
+
+    texture: its texels are multiplied by rho.
+    """
 
     name: str
     rho: Channels
     E: Channels = (0.0, 0.0, 0.0)
+    texture: Texture | None = None
 
 
 class View(NamedTuple):
-    """A camera.  fov: degrees from bottom to top."""
+    """A camera.  fov: degrees from bottom to top; name: by which it is chosen."""
 
     eye: Channels
     target: Channels
     up: Channels = (0.0, 1.0, 0.0)
     fov: float = 45.0
+    name: str = ""
 
 
 @dataclass(frozen=True, repr=False)
@@ -49,7 +56,8 @@ class Scene:
     """What is solved: polygons with materials, and cameras.
 
     polygons: convex, (k, 3) each, k >= 3; material: for each its number in ``materials``; group: for each the number of
-    the object that it belongs to (for smooth normals); views: the first is the usual one; notes: what was mended.
+    the object that it belongs to (for smooth normals); views: the first is the usual one; notes: what was mended;
+    mapping: for each polygon the M of its texture coordinates (see textures.py), or None.
     """
 
     name: str
@@ -59,6 +67,7 @@ class Scene:
     views: tuple[View, ...] = ()
     group: tuple[int, ...] = ()
     notes: tuple[str, ...] = field(default=())
+    mapping: tuple[Float | None, ...] = ()
 
     def __repr__(self) -> str:
         polygons, lamps = len(self.polygons), len(self.emitters)
@@ -100,7 +109,7 @@ class Scene:
             _check_material(material)
         if not self.polygons:
             raise SceneError(f"{self.name}: there is no polygon")
-        good: list[tuple[Float, int, int]] = []
+        good: list[tuple[Float, int, int, Float | None]] = []
         flat, crooked, twice = (
             "degenerate polygons, dropped", "polygons that were not planar, split into triangles",
             "duplicate polygons, dropped",
@@ -109,7 +118,9 @@ class Scene:
         seen: set[Any] = set()
         scale = self.size
         groups = self.group or tuple(self.material)
-        for number, (given, paint, group) in enumerate(zip(self.polygons, self.material, groups, strict=True)):
+        mapping = self.mapping or (None,) * len(self.polygons)
+        whole = zip(self.polygons, self.material, groups, mapping, strict=True)
+        for number, (given, paint, group, M) in enumerate(whole):
             if not np.isfinite(given).all():
                 raise SceneError(f"{self.name}: polygon {number} has coordinates that are not finite numbers")
             parts = _planar(_without_repeats(np.asarray(given, np.float64), scale))
@@ -123,12 +134,14 @@ class Scene:
                 counts[twice] += key in seen
                 if key not in seen:
                     seen.add(key)
-                    good.append((polygon, paint, group))
+                    good.append((polygon, paint, group, M))
         notes = [*self.notes, *(f"{words}: {count}" for words, count in counts.items() if count)]
         if not good:
             raise SceneError(f"{self.name}: all polygons are degenerate (no area)")
-        polygons, materials, good_groups = zip(*good, strict=True)
-        result = replace(self, polygons=polygons, material=materials, group=good_groups, notes=tuple(notes))
+        polygons, materials, good_groups, maps = zip(*good, strict=True)
+        result = replace(
+            self, polygons=polygons, material=materials, group=good_groups, notes=tuple(notes), mapping=maps
+        )
         if not result.emitters:
             raise SceneError(
                 f"{self.name}: nothing emits light: give a material an exitance E > 0 (in a file: an emissive colour;"
@@ -287,32 +300,58 @@ class Builder:
         self.polygons: list[Float] = []
         self.material: list[int] = []
         self.group: list[int] = []
+        self.mapping: list[Float | None] = []
         self.materials: list[Material] = []
+        self.numbers: dict[Any, int] = {}  # of the materials
 
-    def add(self, polygons: Iterable[ArrayLike], material: Material, smooth: bool = False) -> None:
+    def add(
+        self, polygons: Iterable[ArrayLike], material: Material, smooth: bool = False,
+        st: Iterable[ArrayLike] | None = None,
+    ) -> None:  # fmt: skip
         """Add polygons (k, 3) of one material; ``smooth``: they are one curved surface.
 
-        Raises SceneError for other shapes.
+        st: for each the texture coordinates (k, 2) of its corners, from the lower left of the picture on; needed by a
+        material with a texture.  Raises SceneError for other shapes.
         """
-        if material not in self.materials:
-            self.materials.append(material)
+        number = self.numbers.setdefault((repr(material[:3]), material.texture), len(self.materials))
+        self.materials += [material] if number == len(self.materials) else []
         group = max(self.group, default=-1) + 1
-        for polygon in polygons:
-            try:
-                corners = np.array(polygon, np.float64)
-            except (TypeError, ValueError):
-                corners = np.zeros(0)
-            if corners.ndim != 2 or corners.shape[1] != 3:
-                raise SceneError(
-                    f"{self.name}: add takes a list of polygons, each a list of corners (x, y, z), not {polygon!r}"
-                )
+        polygons = list(polygons)
+        coordinates = [None] * len(polygons) if st is None else list(st)
+        if material.texture is not None and st is None or len(coordinates) != len(polygons):
+            raise SceneError(
+                f"{self.name}: material {material.name!r} has a texture: add needs st, the texture coordinates (k, 2)"
+                f" of each of the {len(polygons)} polygons"
+            )
+        for given, pair in zip(polygons, coordinates, strict=True):
+            corners = self._array(given, 3, "a list of polygons, each a list of corners (x, y, z)")
             self.polygons.append(corners)
-            self.material.append(self.materials.index(material))
+            self.mapping.append(None if pair is None else self._mapping(corners, pair))
+            self.material.append(number)
             self.group.append(group)
             group += not smooth
+
+    def _array(self, given: Any, many: int, wanted: str) -> Float:
+        """Return an array (k, many).  Raises SceneError for another shape."""
+        try:
+            values = np.array(given, np.float64)
+        except (TypeError, ValueError):
+            values = np.zeros(0)
+        if values.ndim != 2 or values.shape[1] != many:
+            raise SceneError(f"{self.name}: add takes {wanted}, not {given!r}")
+        return values
+
+    def _mapping(self, corners: Float, given: Any) -> Float:
+        """Return the M of a polygon's texture coordinates.  Raises SceneError if they are none."""
+        st = self._array(given, 2, "texture coordinates (s, t) of each corner")
+        M = mapping_of(corners, st) if len(st) == len(corners) else None
+        if M is None:
+            raise SceneError(f"{self.name}: texture coordinates must fit a flat picture, one pair a corner, not {given}")
+        return M
 
     def scene(self, *views: View) -> Scene:
         """Return the scene with these cameras."""
         return Scene(
-            self.name, tuple(self.polygons), tuple(self.material), tuple(self.materials), views, tuple(self.group)
-        )
+            self.name, tuple(self.polygons), tuple(self.material), tuple(self.materials), views, tuple(self.group),
+            mapping=tuple(self.mapping),
+        )  # fmt: skip

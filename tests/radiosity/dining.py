@@ -167,7 +167,7 @@ def place(number: int, at: Float) -> list[Thing]:
     bowl = [(0.0, 0.008), (0.03, 0.008), (0.07, 0.05), (0.066, 0.05), (0.028, 0.014), (0.0, 0.014)]
     glass = [(0.0, 0.0), (0.03, 0.0), (0.004, 0.01), (0.004, 0.07), (0.035, 0.11), (0.03, 0.17), (0.028, 0.17),
              (0.033, 0.11), (0.0, 0.075)]  # fmt: skip
-    beside = at + (0.17, 0.0, -0.09 if at[2] > TABLE[2] else 0.09)
+    beside = at + np.array((0.17, 0.0, -0.09 if at[2] > TABLE[2] else 0.09))
     parts = (("plate", plate, at, 20), ("bowl", bowl, at, 20), ("glass", glass, beside, 20))
     return [Thing(f"{name} {number}", "china", lathe(foot, line, n), True) for name, line, foot, n in parts]
 
