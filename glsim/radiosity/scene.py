@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from glsim.radiosity.sheets import sheets
 from glsim.radiosity.textures import Texture, mapping_of
 
 if TYPE_CHECKING:
@@ -92,6 +93,18 @@ class Scene:
     def flipped(self) -> Scene:
         """Return the scene with all fronts turned to the other side."""
         return replace(self, polygons=tuple(polygon[::-1] for polygon in self.polygons))
+
+    def two_sided(self) -> Scene:
+        """Return the scene with a second front for each sheet; the surfaces of bodies keep one."""
+        open_ = np.flatnonzero(sheets(self.polygons)).tolist() if self.polygons else []
+        groups = self.group or tuple(range(len(self.polygons)))
+        mapping = self.mapping or (None,) * len(self.polygons)
+        return replace(
+            self, polygons=(*self.polygons, *(self.polygons[k][::-1] for k in open_)),
+            material=(*self.material, *(self.material[k] for k in open_)),
+            group=(*groups, *(max(groups) + 1 + groups[k] for k in open_)),
+            mapping=(*mapping, *(mapping[k] for k in open_)),
+        )  # fmt: skip
 
     def triangles(self) -> Float:
         """Return all polygons as fans of triangles: (m, 3, 3), one polygon after the other."""
@@ -315,10 +328,10 @@ class Builder:
         """
         number = self.numbers.setdefault((repr(material[:3]), material.texture), len(self.materials))
         self.materials += [material] if number == len(self.materials) else []
-        group = max(self.group, default=-1) + 1
+        group = self.group[-1] + 1 if self.group else 0
         polygons = list(polygons)
         coordinates = [None] * len(polygons) if st is None else list(st)
-        if material.texture is not None and st is None or len(coordinates) != len(polygons):
+        if (material.texture is not None and st is None) or len(coordinates) != len(polygons):
             raise SceneError(
                 f"{self.name}: material {material.name!r} has a texture: add needs st, the texture coordinates (k, 2)"
                 f" of each of the {len(polygons)} polygons"
@@ -346,7 +359,9 @@ class Builder:
         st = self._array(given, 2, "texture coordinates (s, t) of each corner")
         M = mapping_of(corners, st) if len(st) == len(corners) else None
         if M is None:
-            raise SceneError(f"{self.name}: texture coordinates must fit a flat picture, one pair a corner, not {given}")
+            raise SceneError(
+                f"{self.name}: texture coordinates must fit a flat picture, one pair a corner, not {given}"
+            )
         return M
 
     def scene(self, *views: View) -> Scene:

@@ -31,7 +31,7 @@ class Texture:
         height, width = self.texels.shape[:2]
         column = np.floor(st[..., 0] * width).astype(np.int64) % width
         row = np.floor((1.0 - st[..., 1]) * height).astype(np.int64) % height
-        return self.texels[row, column].astype(np.float64)
+        return np.asarray(self.texels[row, column], np.float64)
 
 
 def texture_of(pixels: ArrayLike) -> Texture:
