@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from glsim.cli.options import camera, check_picture_name, console, count, positive, size
+from glsim.cli.options import check_picture_name, console, count, exitance, positive, size, viewpoint
 from glsim.files import check_folder, write_atomically, write_text
 
 if TYPE_CHECKING:
@@ -50,6 +50,9 @@ def _add_solution(p: Any) -> None:
     p.add_argument("--vertices", default="gather", metavar="NAME",
                    help="gather (at each vertex, default) or average (of the patches around)")  # fmt: skip
     p.add_argument("--flip", action="store_true", help="turn all fronts to the other side")
+    p.add_argument("--two-sided", action="store_true", help="sheets reflect on both sides")
+    p.add_argument("--emit", type=exitance, action="append", default=[], metavar="NAME=E",
+                   help="exitance of a material, one number or R,G,B; may be repeated")  # fmt: skip
     p.add_argument("--close", action="store_true", help="scale form factors so that rows sum to 1: closed scenes")
     p.add_argument("--scheduler", metavar="ADDRESS", help="use the workers of a Dask scheduler, tcp://HOST:8786")
     p.add_argument("--resume", metavar="FILE",
@@ -61,8 +64,10 @@ def _add_picture(p: Any) -> None:
     p.add_argument("--size", type=size, default=512, metavar="N", help="pixels of a picture (default: %(default)s)")
     p.add_argument("--views", type=_views, default=[0], metavar="N,...|all",
                    help="which cameras; of several, pictures get the number in their names (default: 0)")  # fmt: skip
-    p.add_argument("--camera", type=camera, metavar="AZIMUTH,ELEVATION[,DISTANCE]",
-                   help="instead: around the scene, in degrees from its front, and radii (distance: 4)")  # fmt: skip
+    p.add_argument("--camera", type=viewpoint, metavar="CAMERA",
+                   help="instead: one of the scene, by name (--list); X,Y,Z/X,Y,Z[/DEGREES]: the eye, where it looks,"
+                   " the angle from bottom to top; AZIMUTH,ELEVATION[,DISTANCE]: around the scene, in degrees from its"
+                   " front, and radii (4)")  # fmt: skip
     p.add_argument("--direct", metavar="FILE", help="a picture of direct illumination and radiosity side by side")
     p.add_argument(
         "--white", type=positive, metavar="B", help="the radiosity that becomes white (default: by the scene)"
@@ -118,8 +123,12 @@ def _list(options: argparse.Namespace) -> int:
     from glsim.radiosity.scenes import BUILT_IN
 
     about = {name: entry.about for name, entry in BUILT_IN.items()}
-    lines = [f"  {name:16} {words}" for name, words in about.items()]
-    print(json.dumps({"scenes": about}) if options.json else "Scenes:\n" + "\n".join(lines))
+    cameras = {name: [view.name for view in entry.make().views if view.name] for name, entry in BUILT_IN.items()}
+    lines = [
+        f"  {name:16} {words}" + (f"; cameras: {', '.join(cameras[name])}" if cameras[name] else "")
+        for name, words in about.items()
+    ]
+    print(json.dumps({"scenes": about, "cameras": cameras}) if options.json else "Scenes:\n" + "\n".join(lines))
     return 0
 
 
@@ -128,6 +137,8 @@ def _solved(options: argparse.Namespace) -> Radiosity:
     from rich.console import Console
     from rich.progress import Progress
 
+    from glsim.radiosity.cameras import named
+    from glsim.radiosity.load import scene_from
     from glsim.radiosity.solution import solve
 
     checkpoint = options.resume
@@ -143,8 +154,11 @@ def _solved(options: argparse.Namespace) -> Radiosity:
 
         task = bars.add_task("solving", total=None)
         try:
+            scene = scene_from(options.what, emit=dict(options.emit), two_sided=options.two_sided)
+            if isinstance(options.camera, str):
+                named(scene, options.camera)  # raises before anything is solved
             result = solve(
-                options.what, options.patches, method=options.method, solver=options.solver,
+                scene, options.patches, method=options.method, solver=options.solver,
                 tolerance=options.tolerance, vertices=options.vertices, adaptive=options.adaptive,
                 accuracy=options.accuracy, flip=options.flip, close=options.close, checkpoint=checkpoint,
                 scheduler=options.scheduler, progress=progress,

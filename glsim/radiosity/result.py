@@ -6,6 +6,7 @@ import os
 from base64 import b64encode
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cached_property
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,11 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
+from glsim.radiosity.cameras import Viewpoint, automatic, named, view_around
 from glsim.radiosity.factors import Factors
 from glsim.radiosity.gather import radiosity_at
 from glsim.radiosity.mesh import PatchMesh
 from glsim.radiosity.patches import Patches
-from glsim.radiosity.scene import SceneError, View, view_around, view_of
+from glsim.radiosity.scene import SceneError, View
 from glsim.radiosity.solvers import SOLVERS, SolverStep, System, shooting
 from glsim.radiosity.tone import GAMMA, automatic_white, toned
 from glsim.scenes import Camera
@@ -27,7 +29,6 @@ if TYPE_CHECKING:
     from PIL import Image
 
 Float = NDArray[np.float64]
-Viewpoint = int | View | Camera  # a camera of the scene by its number, any, or one around the scene
 OPEN = 5e-3  # share of the light that escapes: above it the scene is open, below it form factors are inexact
 BLIND = 1e-3  # a patch whose row of form factors has a smaller sum sees nothing
 
@@ -103,8 +104,8 @@ class Radiosity:
         """Draw the scene, ``size`` pixels wide and high.
 
         view: the number or the name of one of its cameras, or a View.  camera: one around the scene instead, as
-        ``Camera(azimuth, elevation, distance)`` of glsim.scenes; see scene.view_around.  B: (V, 3), a radiosity of the
-        vertices instead of the solution's; colors: (V, 3) instead of those of any radiosity and of textures.
+        ``Camera(azimuth, elevation, distance)`` of glsim.scenes (see cameras.view_around).  B: (V, 3), a radiosity of
+        vertices instead of the solution's; colors: (V, 3), instead of those of any radiosity and of textures.
 
             radiosity.solve("cornell", 300).picture(camera=Camera(30, 25, 3)).save("from-the-right.png")
         """
@@ -146,16 +147,19 @@ class Radiosity:
         return tiles(self.patches.scene.name, [row], size)
 
     def view(self, which: Viewpoint) -> View:
-        """Return a camera of the scene by its number, or one around it.  Raises SceneError if it is not there."""
+        """Return a camera of the scene by its number or name, or one around it.  Raises SceneError if there is none."""
         if isinstance(which, View):
             return which
         if isinstance(which, Camera):
             return view_around(self.patches.scene, which)
-        views = self.patches.scene.views or (view_of(np.concatenate(self.patches.scene.polygons)),)
-        if not 0 <= which < len(views):
-            many = "1 view" if len(views) == 1 else f"{len(views)} views"
-            raise SceneError(f"{self.patches.scene.name} has {many}, numbered from 0; there is no {which}")
-        return views[which]
+        if which == 0 and not self.patches.scene.views:
+            return self._automatic_view
+        return named(self.patches.scene, which)
+
+    @cached_property
+    def _automatic_view(self) -> View:
+        """The camera of a scene that has none."""
+        return automatic(self)
 
     def row_picture(self, patch: int, size: int = 512, view: Viewpoint = 0) -> Image.Image:
         """Draw row ``patch`` of the form factors on the scene: how much of its light arrives, per unit of area.

@@ -9,16 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from glsim.radiosity.sheets import sheets
 from glsim.radiosity.textures import Texture, mapping_of
-
-if TYPE_CHECKING:
-    from glsim.scenes import Camera
 
 Float = NDArray[np.float64]
 Channels = tuple[float, float, float]
@@ -180,38 +177,6 @@ def _check_material(material: Material) -> None:
         )
     if (E < 0.0).any() or (E > 1e30).any():
         raise SceneError(f"{name}: the exitance E = {material.E} must not be negative, nor above 1e30")
-
-
-def view_of(points: Float) -> View:
-    """Return a camera that sees all points (n, 3), from the front and a little above."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    middle, size = (low + high) / 2.0, float(np.linalg.norm(high - low))
-    eye = middle + size * np.array([0.35, 0.3, 1.2])
-    return View(tuple(eye.tolist()), tuple(middle.tolist()), fov=40.0)
-
-
-def view_around(scene: Scene, camera: Camera) -> View:
-    """A camera outside of a scene, that looks at its middle.
-
-    camera: azimuth 0 is the side on which the scene's first camera stands, 90 on its right; distance in radii of the
-    sphere around the scene.  Walls are seen from their fronts alone, so a closed room is seen into.
-    """
-    points = np.concatenate(scene.polygons)
-    low, high = points.min(axis=0), points.max(axis=0)
-    middle, radius = (low + high) / 2.0, float(np.linalg.norm(high - low)) / 2.0
-    first = scene.views[0] if scene.views else view_of(points)
-    up = np.array(first.up, float) / np.linalg.norm(first.up)
-    back = np.subtract(first.eye, first.target)
-    front = back - (back @ up) * up
-    if np.linalg.norm(front) < 1e-6 * np.linalg.norm(back):  # it looks straight down
-        front = np.cross(up, (0.0, 0.0, 1.0) if abs(up[2]) < 0.9 else (1.0, 0.0, 0.0))
-    front /= np.linalg.norm(front)
-    right = np.cross(up, front)
-    a, e = np.radians((camera.azimuth, min(max(camera.elevation, -89.9), 89.9)))
-    towards = np.cos(e) * (np.sin(a) * right + np.cos(a) * front) + np.sin(e) * up
-    eye = middle + camera.distance * radius * towards
-    x, y, z = up.tolist()
-    return View(tuple(eye.tolist()), tuple(middle.tolist()), (x, y, z), camera.angle)
 
 
 def normal_of(polygon: Float) -> Float:

@@ -45,8 +45,8 @@ def quads(corners: Float, pairs: Int, st: Float | None = None) -> tuple[Int, NDA
     """Join pairs of triangles that are halves of one flat quad: patches of a quad are better than slivers of two.
 
     corners: (m, 3, 3) of the triangles; pairs: (k, 2), triangles that share an edge and have one material; st:
-    (m, 3, 2) texture coordinates, which must fit too.  Return the quads (q, 4), as numbers of rows of ``corners`` (3 m), and
-    which triangles (m,) are in none.  Two are joined along the longest edge of both, so that the quad is convex.
+    (m, 3, 2) texture coordinates, which must fit too.  Return the quads (q, 4), as numbers of rows of corners (3 m),
+    and which triangles (m,) are in none.  Two are joined along the longest edge of both, so that the quad is convex.
     """
     alone = np.ones(len(corners), bool)
     edges = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)

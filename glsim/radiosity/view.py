@@ -107,6 +107,23 @@ def _draw_textured(corners: Float, colors: Float, st: Float, texels: NDArray[np.
     gl.glDisable(gl.GL_TEXTURE_2D)
 
 
+def seen_patches(result: Radiosity, view: View, size: int = 96) -> NDArray[np.int64]:
+    """Return the numbers of the patches that a camera sees, ascending: each is drawn in a colour of its own."""
+    mesh = result.mesh
+    code = mesh.triangle_patch + 1  # 0 is the background
+    colors = np.stack([code >> 16, code >> 8 & 255, code & 255], axis=1) / 255.0
+
+    def draw() -> None:
+        with _client_arrays(gl.GL_VERTEX_ARRAY, gl.GL_COLOR_ARRAY):
+            gl.glVertexPointer(3, gl.GL_FLOAT, 0, mesh.vertices[mesh.triangles].reshape(-1, 3).astype(np.float32))
+            gl.glColorPointer(3, gl.GL_FLOAT, 0, np.repeat(colors, 3, axis=0).astype(np.float32))
+            gl.glDrawArrays(gl.GL_TRIANGLES, 0, mesh.triangles.size)
+
+    pixels = np.asarray(picture_of(draw, result.patches.scene, view, size, 0)).astype(np.int64)
+    numbers = np.unique(pixels[..., 0] << 16 | pixels[..., 1] << 8 | pixels[..., 2]) - 1
+    return np.asarray(numbers[numbers >= 0])
+
+
 @contextmanager
 def _client_arrays(*arrays: int) -> Iterator[None]:
     """Draw from these arrays, GL_SMOOTH, without lighting, fronts only, with the depth test."""

@@ -181,3 +181,16 @@ def test_the_matrix_has_labels_and_a_scale(small: radiosity.Radiosity) -> None:
     assert picture[52 + 1, 64 + 200 + 20].min() > 250  # the scale: white on top, black below
     assert picture[52 + 197, 64 + 200 + 20].max() < 10
     assert (picture[20:52, 64:264] < 100).all(axis=2).any()  # numbers of columns
+
+
+def test_the_automatic_camera_is_where_light_is() -> None:
+    """A room with solid walls is seen from inside, one of sheets from outside; the picture is not black."""
+    for solid in (False, True):
+        b = Builder("room")
+        b.add(box((0, 0, 0), (4, 3, 5), inside=True), Material("wall", (0.5,) * 3))
+        b.add(box((-0.2, -0.2, -0.2), (4.2, 3.2, 5.2)) if solid else [], Material("brick", (0.5,) * 3))
+        b.add([quad((1, 2.99, 1), (3, 2.99, 1), (3, 2.99, 3), (1, 2.99, 3))], Material("lamp", (0.0,) * 3, (5.0,) * 3))
+        result = radiosity.solve(b.scene(), 200)
+        inside = (np.abs(np.subtract(result.view(0).eye, (2, 1.5, 2.5))) < (2, 1.5, 2.5)).all()
+        assert inside == solid
+        assert (np.asarray(result.picture(64)) > 20).mean() > 0.2
