@@ -72,7 +72,7 @@ def _add_picture(p: Any) -> None:
     p.add_argument(
         "--white", type=positive, metavar="B", help="the radiosity that becomes white (default: by the scene)"
     )
-    p.add_argument("--tone", choices=("linear", "reinhard"), default="linear", help="tone mapping (default: linear)")
+    p.add_argument("--tone", choices=("linear", "reinhard"), help="tone mapping (default: by the scene)")
     p.add_argument("--gamma", type=positive, default=2.2, help="of the screen (default: 2.2)")
 
 

@@ -38,8 +38,8 @@ class Radiosity:
     """The solution of a scene.
 
     B: (n, 3) per patch; steps: one for each iteration (only the last has its B); mesh, vertex_radiosity: triangles and
-    the radiosity at their vertices (V, 3); seconds: by stage.  white: the radiosity that becomes white (None: chosen by
-    the scene), tone: see tone.TONES, gamma: of the screen.
+    the radiosity at their vertices (V, 3); seconds: by stage.  white: the radiosity that becomes white, tone: see
+    tone.TONES (None: as the scene has them, or by the brightness of its surfaces); gamma: of the screen.
     """
 
     patches: Patches
@@ -51,7 +51,7 @@ class Radiosity:
     solver: str
     seconds: dict[str, float] = field(default_factory=dict)
     white: float | None = None
-    tone: str = "linear"
+    tone: str | None = None
     gamma: float = GAMMA
 
     # ------------------------------------------------------------ numbers
@@ -90,12 +90,12 @@ class Radiosity:
     def colors(self, B: Float | None = None) -> Float:
         """Return colours for the screen, (V, 3) in [0, 1], of the vertices' radiosity or of another, B (V, 3)."""
         shown = self.vertex_radiosity if B is None else B
-        return toned(shown, self.shown_white, self.tone, self.gamma)
+        return toned(shown, self.shown_white, self.tone or self.patches.scene.tone, self.gamma)
 
     @property
     def shown_white(self) -> float:
         """The radiosity that becomes white."""
-        return self.white or automatic_white(self.patches, self.B)
+        return self.white or self.patches.scene.white or automatic_white(self.patches, self.B)
 
     def picture(
         self, size: int = 512, view: Viewpoint = 0, *, camera: Camera | None = None, B: Float | None = None,

@@ -55,7 +55,8 @@ class Scene:
 
     polygons: convex, (k, 3) each, k >= 3; material: for each its number in ``materials``; group: for each the number of
     the object that it belongs to (for smooth normals); views: the first is the usual one; notes: what was mended;
-    mapping: for each polygon the M of its texture coordinates (see textures.py), or None.
+    mapping: for each polygon the M of its texture coordinates (see textures.py), or None; white, tone: how its pictures
+    are exposed, see tone.py (None: chosen by the result).
     """
 
     name: str
@@ -66,6 +67,8 @@ class Scene:
     group: tuple[int, ...] = ()
     notes: tuple[str, ...] = field(default=())
     mapping: tuple[Float | None, ...] = ()
+    white: float | None = None
+    tone: str = "linear"
 
     def __repr__(self) -> str:
         polygons, lamps = len(self.polygons), len(self.emitters)
@@ -133,7 +136,7 @@ class Scene:
         for number, (given, paint, group, M) in enumerate(whole):
             if not np.isfinite(given).all():
                 raise SceneError(f"{self.name}: polygon {number} has coordinates that are not finite numbers")
-            parts = _planar(_without_repeats(np.asarray(given, np.float64), scale))
+            parts = planar(_without_repeats(np.asarray(given, np.float64), scale))
             counts[crooked] += len(parts) > 1
             counts[flat] += not parts
             for polygon in parts:
@@ -171,7 +174,8 @@ def _check_material(material: Material) -> None:
         raise SceneError(f"{name}: rho and E need three numbers each (red, green, blue)")
     if not np.isfinite([rho, E]).all():
         raise SceneError(f"{name}: rho = {material.rho} and E = {material.E} must be finite numbers")
-    if (rho < 0.0).any() or (rho >= 1.0).any():
+    brightest = rho if material.texture is None else rho * material.texture.peak
+    if (rho < 0.0).any() or (brightest >= 1.0).any():
         raise SceneError(
             f"{name}: the reflectance rho = {material.rho} must be at least 0 and less than 1, or light never ends"
         )
@@ -199,7 +203,7 @@ def _without_repeats(polygon: Float, scale: float) -> Float:
     return np.asarray(polygon[apart])
 
 
-def _planar(polygon: Float) -> list[Float]:
+def planar(polygon: Float) -> list[Float]:
     """Return the polygon if it is planar and convex, else triangles of it; nothing if it has no area."""
     if len(polygon) < 3:
         return []

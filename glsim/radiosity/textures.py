@@ -7,6 +7,7 @@ Light is exchanged with the mean reflectance of each patch; the drawn picture ha
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,6 +26,11 @@ class Texture:
 
     def __repr__(self) -> str:
         return f"<Texture {self.texels.shape[1]} x {self.texels.shape[0]}>"
+
+    @cached_property
+    def peak(self) -> Float:
+        """The largest texel of each channel, (3,)."""
+        return np.asarray(self.texels.reshape(-1, 3).max(axis=0), np.float64)
 
     def at(self, st: Float) -> Float:
         """Return the texels at texture coordinates (..., 2): (..., 3)."""

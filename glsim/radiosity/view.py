@@ -76,8 +76,8 @@ def draw_solution(result: Radiosity, B: Float) -> None:
     H = np.divide(np.maximum(B - p.E[mesh.patch], 0.0), own, out=np.zeros_like(own), where=own > 0.0)
     for number in textured:
         material, chosen = scene.materials[number], np.flatnonzero(paint == number)
-        texels = material.texture.texels  # type: ignore[union-attr]
-        peak = texels.reshape(-1, 3).max(axis=0)
+        assert material.texture is not None
+        texels, peak = material.texture.texels, material.texture.peak
         colors = result.colors(np.asarray(material.E) + np.asarray(material.rho) * peak * H)
         corners = mesh.triangles[chosen]
         M = np.array([scene.mapping[k] for k in p.polygon[mesh.triangle_patch[chosen]].tolist()], np.float64)
