@@ -15,7 +15,8 @@ from PIL import Image
 
 from glsim.radiosity.compiled import is_cached
 from glsim.radiosity.pairs import rows
-from tests.radiosity.helpers import ENVIRONMENT
+from glsim.radiosity.scenes import BUILT_IN, BuiltIn
+from tests.radiosity.helpers import ENVIRONMENT, hall
 
 
 def run(words: str) -> int:
@@ -63,8 +64,9 @@ def test_a_camera_around_the_scene(folder: Path, capsys: pytest.CaptureFixture[s
 
 
 @pytest.mark.slow
-def test_several_views(folder: Path) -> None:
-    assert run("museum --patches 300 --size 48 --views 0,1 -o a.png -o a.ply --direct d.png") == 0
+def test_several_views(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(BUILT_IN, "hall", BuiltIn("two cameras", hall))
+    assert run("hall --patches 300 --size 48 --views all -o a.png -o a.ply --direct d.png") == 0
     assert sorted(path.name for path in folder.iterdir()) == ["a-0.png", "a-1.png", "a.ply", "d-0.png", "d-1.png"]
     assert Path("a-0.png").read_bytes() != Path("a-1.png").read_bytes()
 

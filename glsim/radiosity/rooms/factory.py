@@ -30,7 +30,12 @@ PANES = [(x, 4.5, x + 2.4, 5.6) for x in (0.8, 4.8, 8.8, 12.8)]  # in the north 
 DOOR = (5.4, 0.0, 8.4, 3.3)  # in the east wall
 MEZZANINE = 3.0  # how high it is
 FURNACE = (17.0, 2.9, 9.4)  # its near corner, and its height
-CABINETS = [((10.2, 0, 0), (12.4, 0.9, 0.8)), ((14.2, 0, 0), (15.4, 2.0, 0.6))]
+CABINETS = [((9.8, 0, 0), (12.1, 0.9, 0.8)), ((14.2, 0, 0), (15.4, 2.0, 0.6))]
+OFFICE = (16.4, 2.15, 0.12)  # its left wall, its height, and how thick its walls are
+SLABS = [  # the gallery's, and the office's roof
+    ((9.0, MEZZANINE - 0.2, 0), (LONG, MEZZANINE, 3.2)),
+    ((OFFICE[0], MEZZANINE + OFFICE[1], 0), (LONG, MEZZANINE + OFFICE[1] + OFFICE[2], 3.2)),
+]
 
 RED_LEAD = Material("red lead", (0.42, 0.12, 0.07))
 STEEL = Material("steel", (0.38, 0.4, 0.42))
@@ -46,7 +51,7 @@ EVENING = Material("evening sky", (0.05,) * 3, (0.75, 0.25, 0.075))
 DUSK = Material("dusk", (0.05,) * 3, (0.12, 0.2, 0.42))
 LAMP = Material("lamp", (0.3,) * 3, (1500.0, 1030.0, 470.0))
 FLOOD = Material("floodlight", (0.3,) * 3, (700.0, 930.0, 1030.0))
-OFFICE = Material("office lamp", (0.3,) * 3, (50.0, 48.0, 34.0))
+OFFICE_LAMP = Material("office lamp", (0.3,) * 3, (50.0, 48.0, 34.0))
 BULKHEAD = Material("bulkhead lamp", (0.3,) * 3, (70.0, 44.0, 18.0))
 FIRE = Material("fire", (0.1,) * 3, (150.0, 34.0, 4.5))
 
@@ -67,17 +72,16 @@ def factory() -> Scene:
 def _shell(b: Builder) -> None:
     """Floor, walls of brick with windows, and the sky behind these."""
     bricks = Material("brick", (1.0,) * 3, texture=surfaces.bricks())
-    (x, y, z), south, west, north = (
-        FURNACE,
-        LONG - FURNACE[0],
-        ((0, 0, WIDE), (0, 0, -WIDE), UP),
-        ((0, 0, 0), (LONG, 0, 0), UP),
-    )
-    floor = wall((0, 0, WIDE), (LONG, 0, 0), (0, 0, -WIDE), [(x, 0.0, LONG, WIDE - z)])
+    (x, y, z), south = FURNACE, LONG - FURNACE[0]
+    west, north = ((0, 0, WIDE), (0, 0, -WIDE), UP), ((0, 0, 0), (LONG, 0, 0), UP)
+    behind = [(low[0], low[1], high[0], high[1]) for low, high in (*CABINETS, *SLABS)]  # where nobody sees the wall
+    under = [(low[0], WIDE - high[2], high[0], WIDE) for low, high in CABINETS]
+    floor = wall((0, 0, WIDE), (LONG, 0, 0), (0, 0, -WIDE), [(x, 0.0, LONG, WIDE - z), *under])
     tiled(b, floor, Material("concrete", (1.0,) * 3, texture=surfaces.concrete()), 4.0)
     tiled(b, wall(*west, WINDOWS), bricks, 2.0)
-    tiled(b, wall(*north, [*PANES, *((low[0], 0.0, high[0], high[1]) for low, high in CABINETS)]), bricks, 2.0)
-    tiled(b, wall((LONG, 0, 0), (0, 0, WIDE), UP, [DOOR, (z, 0.0, WIDE, y)]), bricks, 2.0)
+    tiled(b, wall(*north, [*PANES, *behind]), bricks, 2.0)
+    ends = [(low[2], low[1], high[2], high[1]) for low, high in SLABS]
+    tiled(b, wall((LONG, 0, 0), (0, 0, WIDE), UP, [DOOR, (z, 0.0, WIDE, y), *ends]), bricks, 2.0)
     tiled(b, wall((LONG, 0, WIDE), (-LONG, 0, 0), UP, [(0.0, 0.0, south, y)]), bricks, 2.0)
     for x in (0.0, LONG):
         gable = np.array([(x, EAVES, 0), (x, EAVES, WIDE), (x, RIDGE, WIDE / 2)], float)
@@ -153,15 +157,15 @@ def _lamps(b: Builder) -> None:
 
 def _mezzanine(b: Builder) -> None:
     """A gallery along the north wall, with stairs and railings; lamps are below it."""
-    near, deep, high = 9.0, 3.2, MEZZANINE
-    b.add(block((near, high - 0.2, 0), (LONG, high, deep), "+x -z"), STEEL)
+    (near, _, _), (_, high, deep) = SLABS[0]
+    b.add(block(*SLABS[0], "+x -z"), STEEL)
     treads, carriers = stairs((near - 3.9, 0, deep - 0.6), (3.9, 0, 0), 14, 1.0, high / 14)
     b.add(treads, STEEL)
     b.add(carriers, YELLOW)
     for x in (near + 0.2, near + 3.8, near + 7.4):
         b.add(beam((x, 0, deep - 0.15), (x, high - 0.2, deep - 0.15), 0.16, 0.16), STEEL)
     for y in (0.55, 1.05):
-        b.add(beam((near, high + y, deep - 0.1), (16.4, high + y, deep - 0.1), 0.05, 0.05), YELLOW)
+        b.add(beam((near, high + y, deep - 0.1), (OFFICE[0], high + y, deep - 0.1), 0.05, 0.05), YELLOW)
     for x in np.linspace(near + 0.05, 16.3, 6):
         b.add(beam((x, high + 0.02, deep - 0.1), (x, high + 1.05, deep - 0.1), 0.05, 0.05), YELLOW)
     for x in (10.8, 14.4):
@@ -173,7 +177,7 @@ def _mezzanine(b: Builder) -> None:
 
 def _office(b: Builder) -> None:
     """The foreman's office on the gallery; its light falls through window and door onto the steel."""
-    left, low, deep, high, thick = 16.4, MEZZANINE, 3.2, 2.3, 0.12
+    (left, high, thick), low, deep = OFFICE, MEZZANINE, 3.2
     up, window, door = (0, high, 0), (0.6, 0.9, 3.1, 1.9), (1.2, 0.0, 2.1, 2.0)
     front, side = ((left, low, deep), (LONG - left, 0, 0), up), ((left, low, 0), (0, 0, deep), up)
     b.add([*wall(*front, [window]), *wall(*side, [door])], WHITE)
@@ -182,9 +186,9 @@ def _office(b: Builder) -> None:
                  [(window[0] - thick, window[1], window[2] - thick, window[3])])  # fmt: skip
     inner += wall((left + thick, low, 0), (0, 0, deep - thick), up, [door])
     b.add([face[::-1] for face in inner], WHITE)
-    b.add(block((left, low + high, 0), (LONG, low + high + thick, deep), "+x -z"), WHITE)
+    b.add(block(*SLABS[1], "+x -z"), WHITE)
     y = low + high
-    b.add([quad((17.6, y, 1.3), (19.0, y, 1.3), (19.0, y, 1.6), (17.6, y, 1.6))], OFFICE)
+    b.add([quad((17.6, y, 1.3), (19.0, y, 1.3), (19.0, y, 1.6), (17.6, y, 1.6))], OFFICE_LAMP)
 
 
 def _engine(b: Builder) -> None:
@@ -210,11 +214,11 @@ def _tanks(b: Builder) -> None:
     """Two tanks in the north-west corner, and pipes along the walls."""
     for x in (1.5, 3.9):
         b.add(turned((x, 0.0, 1.7), [(0.95, 0.0), (0.95, 3.0), (0.66, 3.4), (0.0, 3.55)], 16), BLUE, smooth=True)
-        b.add(pipe([(x, 3.5, 1.7), (x, 4.1, 1.7), (x, 4.1, 0.4)], 0.13, 8), STEEL, smooth=True)
-    b.add(pipe([(0.0, 4.1, 0.4), (8.2, 4.1, 0.4), (8.2, 3.3, 0.4), (LONG, 3.3, 0.4)], 0.17, 8), STEEL, smooth=True)
+        b.add(pipe([(x, 3.5, 1.7), (x, 4.1, 1.7), (x, 4.1, 0.7)], 0.13, 8), STEEL, smooth=True)
+    b.add(pipe([(0.0, 4.1, 0.7), (8.2, 4.1, 0.7), (8.2, 0.0, 0.7)], 0.17, 8), STEEL, smooth=True)
     for y, paint in ((4.5, RED_LEAD), (4.95, STEEL)):
-        b.add(pipe([(0.0, y, 11.5), (LONG, y, 11.5)], 0.14, 8), paint, smooth=True)
-    b.add(pipe([(12.6, 4.5, 11.5), (12.6, 1.0, 11.5), (17.0, 1.0, 11.5)], 0.14, 8), RED_LEAD, smooth=True)
+        b.add(pipe([(0.0, y, 11.36), (LONG, y, 11.36)], 0.14, 8), paint, smooth=True)
+    b.add(pipe([(13.4, 4.5, 11.36), (13.4, 1.0, 11.36), (17.0, 1.0, 11.36)], 0.14, 8), RED_LEAD, smooth=True)
 
 
 def _furnace(b: Builder) -> None:
@@ -227,20 +231,28 @@ def _furnace(b: Builder) -> None:
     b.add(reveal(*place, 0.5, mouth), IRON)
     z, w = near + mouth[0], near + mouth[2]
     b.add([quad((left + 0.5, 0.5, z), (left + 0.5, 0.5, w), (left + 0.5, 1.4, w), (left + 0.5, 1.4, z))], FIRE)
-    tiled(b, block((left, 0, near), (LONG, low, WIDE), "-x +x -y +z"), bricks, 2.0)
-    tiled(b, block((18.1, low, 10.3), (19.1, 7.4, 11.3), "-y +y"), bricks, 2.0)
+    tiled(b, block((left, 0, near), (LONG, low, WIDE), "-x +x -y +y +z"), bricks, 2.0)
+    x, z, half = 18.6, 10.6, 0.5  # the chimney, from the furnace's top to the roof
+    flue = (x - half - left, WIDE - z - half, x + half - left, WIDE - z + half)
+    tiled(b, wall((left, low, WIDE), (LONG - left, 0, 0), (0, 0, near - WIDE), [flue]), bricks, 2.0)
+    foot = np.array(
+        [(x - half, low, z + half), (x + half, low, z + half), (x + half, low, z - half), (x - half, low, z - half)]
+    )
+    head = foot.copy()
+    head[:, 1] = EAVES + (RIDGE - EAVES) / (WIDE / 2) * (WIDE - foot[:, 2])
+    tiled(b, between(foot, head), bricks, 2.0)
 
 
 def _crane(b: Builder) -> None:
     """A travelling crane on two rails, with a hook."""
     for z in (0.62, WIDE - 0.62):
-        b.add(beam((0, 5.5, z), (LONG, 5.5, z), 0.16, 0.24), STEEL)
+        b.add(beam((0, 5.4, z), (LONG, 5.4, z), 0.16, 0.2), STEEL)
     x = 5.2
     for side in (-0.45, 0.45):
-        b.add(beam((x + side, 5.6, 0.5), (x + side, 5.6, WIDE - 0.5), 0.2, 0.34), YELLOW)
-    b.add(block((x - 0.7, 5.2, 6.6), (x + 0.7, 5.42, 7.6), ""), YELLOW)
+        b.add(beam((x + side, 5.67, 0.5), (x + side, 5.67, WIDE - 0.5), 0.2, 0.34), YELLOW)
+    b.add(block((x - 0.7, 5.26, 6.6), (x + 0.7, 5.5, 7.6), ""), YELLOW)
     for side in (-0.1, 0.1):
-        b.add(pipe([(x + side, 2.9, 7.1), (x + side, 5.3, 7.1)], 0.02, 3), IRON)
+        b.add(pipe([(x + side, 2.9, 7.1), (x + side, 5.27, 7.1)], 0.02, 3), IRON)
     b.add(block((x - 0.2, 2.45, 6.9), (x + 0.2, 2.95, 7.3), ""), YELLOW)
     hook = [(0.0, 2.5), (0.0, 2.2), (0.16, 2.0), (0.02, 1.86), (-0.14, 1.96)]
     b.add(pipe([(x + side, y, 7.1) for side, y in hook], 0.05, 6, ends=True), IRON)
