@@ -69,6 +69,9 @@ def _add_picture(p: Any) -> None:
                    " the angle from bottom to top; AZIMUTH,ELEVATION[,DISTANCE]: around the scene, in degrees from its"
                    " front, and radii (4)")  # fmt: skip
     p.add_argument("--direct", metavar="FILE", help="a picture of direct illumination and radiosity side by side")
+    p.add_argument("--steps", metavar="FILE",
+                   help="the picture after some of the solver's iterations, on a sheet or, if the name ends in .gif,"
+                   " moving; --solver jacobi shows bounces, --solver shooting shots")  # fmt: skip
     p.add_argument(
         "--white", type=positive, metavar="B", help="the radiosity that becomes white (default: by the scene)"
     )
@@ -101,9 +104,15 @@ def _radiosity(options: argparse.Namespace) -> int:
     for name in options.output:
         if Path(name).suffix.lower() not in DATA:
             check_picture_name(name)
-    if options.direct:
-        check_picture_name(options.direct)
-    for name in (*options.output, options.direct, options.json, None if options.scheduler else options.resume):
+    for name in filter(None, (options.direct, options.steps)):
+        check_picture_name(name)
+    for name in (
+        *options.output,
+        options.direct,
+        options.steps,
+        options.json,
+        None if options.scheduler else options.resume,
+    ):
         if isinstance(name, str):
             check_folder(name)
     result = _solved(options)
@@ -173,6 +182,8 @@ def _solved(options: argparse.Namespace) -> Radiosity:
 
 def _written(result: Radiosity, options: argparse.Namespace) -> list[str]:
     """Write all that was asked for, and return the names of the files."""
+    from glsim.radiosity.watch import save_steps
+
     views: list[Any] = list(range(len(result.patches.scene.views))) if options.views is None else options.views
     if options.camera is not None:
         views = [options.camera]
@@ -186,6 +197,9 @@ def _written(result: Radiosity, options: argparse.Namespace) -> list[str]:
     for view in views if options.direct else []:
         names.append(_numbered(options.direct, view, views))
         write_atomically(names[-1], result.beside_direct(options.size, view).save)
+    for view in views if options.steps else []:
+        names.append(_numbered(options.steps, view, views))
+        save_steps(result, names[-1], size=options.size, view=view)
     return names
 
 

@@ -164,9 +164,11 @@ class Radiosity:
     def row_picture(self, patch: int, size: int = 512, view: Viewpoint = 0) -> Image.Image:
         """Draw row ``patch`` of the form factors on the scene: how much of its light arrives, per unit of area.
 
-        The patch itself is orange; the brightest 5 % of the vertices are white.  Raises SceneError if there is no such
-        patch.
+        size: pixels of the scene, beside which the scale stands.  The patch itself is orange; the brightest 5 % of the
+        vertices are white.  Raises SceneError if there is no such patch.
         """
+        from glsim.radiosity.plots import on_scene
+
         if not 0 <= patch < len(self.patches):
             raise SceneError(f"patches are numbered from 0 to {len(self.patches) - 1}; there is no {patch}")
         row = self.factors.row(patch) / self.patches.area
@@ -180,7 +182,7 @@ class Radiosity:
         shown = np.repeat(np.minimum(values / bright, 1.0)[:, None] ** (1.0 / GAMMA), 3, axis=1)
         corners = np.unique(self.mesh.triangles[self.mesh.triangle_patch == patch])
         shown[corners] = (1.0, 0.5, 0.0)
-        return self.picture(size, view, colors=shown)
+        return on_scene(self.picture(size, view, colors=shown), patch, bright)
 
     def convergence_picture(self) -> Image.Image:
         """Draw the residual over the iterations."""
@@ -195,6 +197,12 @@ class Radiosity:
         if self.factors.matrix is None:
             raise SceneError(f"{self.factors.method} form factors are no matrix that could be shown")
         return matrix(np.asarray(self.factors.matrix / self.patches.area[:, None], np.float64), size)
+
+    def steps_picture(self, solver: str | None = None, size: int = 256, view: Viewpoint = 0) -> Image.Image:
+        """Draw the scene after 0, 1, 2, ... iterations of a solver (by default its own), see watch.watched."""
+        from glsim.radiosity.watch import strip
+
+        return strip(self, solver, size, view)
 
     def __repr__(self) -> str:
         name, n, last = self.patches.scene.name, len(self.patches), self.steps[-1]
