@@ -20,6 +20,7 @@ from glsim.radiosity.textures import Texture, mapping_of
 Float = NDArray[np.float64]
 Channels = tuple[float, float, float]
 BRIGHTEST = 0.99  # reflectance: a file or a program may say 1, and light would never end
+THINNEST = 1e-10  # area of a polygon, in squares of its diameter: thinner ones are dropped
 FLAT = 1e-5  # how far a corner may be from its polygon's plane, in diameters
 
 
@@ -133,17 +134,20 @@ class Scene:
         groups = self.group or tuple(self.material)
         mapping = self.mapping or (None,) * len(self.polygons)
         whole = zip(self.polygons, self.material, groups, mapping, strict=True)
+        sound = _sound_triangles(self.polygons, scale)
         for number, (given, paint, group, M) in enumerate(whole):
-            if not np.isfinite(given).all():
+            if number in sound:
+                parts = [(np.asarray(given, np.float64), sound[number])]
+            elif np.isfinite(given).all():
+                parts = [
+                    (part, normal_of(part)) for part in planar(_without_repeats(np.asarray(given, np.float64), scale))
+                ]
+            else:
                 raise SceneError(f"{self.name}: polygon {number} has coordinates that are not finite numbers")
-            parts = planar(_without_repeats(np.asarray(given, np.float64), scale))
             counts[crooked] += len(parts) > 1
             counts[flat] += not parts
-            for polygon in parts:
-                normal = tuple(
-                    (np.round(normal_of(polygon), 3) + 0.0).tolist()
-                )  # the other side of a sheet is no duplicate
-                key = frozenset(map(tuple, np.round(polygon / scale, 7).tolist())), normal
+            for polygon, normal in parts:  # the other side of a sheet has another normal and is no duplicate
+                key = frozenset(map(tuple, (polygon / scale).round(7).tolist())), *(normal.round(3) + 0.0).tolist()
                 counts[twice] += key in seen
                 if key not in seen:
                     seen.add(key)
@@ -197,6 +201,19 @@ def area_of(polygon: Float) -> float:
     return float(np.linalg.norm(np.cross(edges[:-1], edges[1:]).sum(axis=0)) / 2.0)
 
 
+def _sound_triangles(polygons: Sequence[Float], scale: float) -> dict[int, Float]:
+    """Return the unit normals of triangles that need no mending, by their numbers: most polygons of a large file."""
+    numbers = [number for number, polygon in enumerate(polygons) if len(polygon) == 3]
+    corners = np.array([polygons[number] for number in numbers], np.float64).reshape(-1, 3, 3)
+    with np.errstate(invalid="ignore", over="ignore"):
+        edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        length, size = np.linalg.norm(normals, axis=1), np.linalg.norm(np.ptp(corners, axis=1), axis=1)
+        good = (edges > 1e-9 * scale).all(axis=1) & (length >= 2.0 * THINNEST * size * size) & (length > 0.0)
+        good &= np.isfinite(length)
+    return dict(zip(np.array(numbers, int)[good].tolist(), normals[good] / length[good, None], strict=True))
+
+
 def _without_repeats(polygon: Float, scale: float) -> Float:
     """Return the polygon without corners that coincide with the corner before."""
     apart = np.linalg.norm(polygon - np.roll(polygon, 1, axis=0), axis=1) > 1e-9 * scale
@@ -209,7 +226,7 @@ def planar(polygon: Float) -> list[Float]:
         return []
     size = float(np.linalg.norm(np.ptp(polygon, axis=0)))
     normal = normal_of(polygon)
-    if area_of(polygon) < 1e-10 * size * size or not normal.any():
+    if area_of(polygon) < THINNEST * size * size or not normal.any():
         return []
     if len(polygon) == 3:
         return [polygon]
