@@ -90,7 +90,12 @@ class Radiosity:
     def colors(self, B: Float | None = None) -> Float:
         """Return colours for the screen, (V, 3) in [0, 1], of the vertices' radiosity or of another, B (V, 3)."""
         shown = self.vertex_radiosity if B is None else B
-        return toned(shown, self.shown_white, self.tone or self.patches.scene.tone, self.gamma)
+        return toned(shown, self.shown_white, self.shown_tone, self.gamma)
+
+    @property
+    def shown_tone(self) -> str:
+        """The name of the tone mapping."""
+        return self.tone or self.patches.scene.tone
 
     @property
     def shown_white(self) -> float:
