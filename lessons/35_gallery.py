@@ -67,13 +67,14 @@ for vertex in baked["vertex_triangles"].ravel():
 glEnd()
 screen
 
-# %% The museum: direct illumination and radiosity. Swap the pictures and watch the ceiling, the shadows and the sphere
+# %% The museum: direct illumination and radiosity. Swap the pictures and watch the ceiling, the columns and the paintings
 museum = radiosity.solve("museum", patches=600)
 museum.beside_direct(440)
 
 # %% [markdown]
-# Light from a skylight falls on the floor; the floor lights the walls from below, the paintings tint what is near
-# them, and the white sphere shows it all at once: bright above, warm below.
+# Daylight falls through deep shafts on the floor alone, and direct illumination leaves everything else black. The floor
+# lights walls and ceiling from below, the walls light the paintings, and the red room tints what is near its door. The
+# gilt column shows it all at once: each of its faces that looks down is lit by the floor.
 #
 # What radiosity does not do: mirrors and highlights (they depend on the eye), transparency, and moving lamps without a
 # new solution. A ray tracer does these, and has trouble with exactly what is easy here.

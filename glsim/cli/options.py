@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 from glsim.names import LOBES, SHADING, did_you_mean
 
 if TYPE_CHECKING:
+    from glsim.radiosity.scene import View
     from glsim.scenes import Camera, Lamp
 
 Value = TypeVar("Value")
@@ -86,6 +87,30 @@ def camera(text: str) -> Camera:
     from glsim.scenes.staging import camera_of
 
     return _told(camera_of, text)
+
+
+def viewpoint(text: str) -> str | View | Camera:
+    from glsim.radiosity.cameras import viewpoint as read
+
+    return _told(read, text)
+
+
+def exitance(text: str) -> tuple[str, tuple[float, float, float]]:
+    """``lamp=20`` or ``lamp=20,18,12``: a material's name, and E for red, green and blue."""
+    from glsim.scenes.staging import numbers
+
+    name, equals, values = text.rpartition("=")
+    if not equals or not name:
+        raise argparse.ArgumentTypeError(
+            f"a material's name and its exitance are needed, NAME=E or NAME=R,G,B, not {text!r}"
+        )
+    given = _told(lambda words: numbers(words, 1, 3), values)
+    if len(given) == 2 or min(given) < 0.0:
+        raise argparse.ArgumentTypeError(
+            f"an exitance is one number from 0 on, or three (red, green, blue), not {values!r}"
+        )
+    r, g, b = given if len(given) == 3 else 3 * given
+    return name, (r, g, b)
 
 
 def _told(read: Callable[[str], Value], text: str) -> Value:

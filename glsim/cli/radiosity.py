@@ -11,7 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from glsim.cli.options import camera, check_picture_name, console, count, positive, size
+from glsim.cli.options import check_picture_name, console, count, exitance, positive, size, viewpoint
 from glsim.files import check_folder, write_atomically, write_text
 
 if TYPE_CHECKING:
@@ -56,6 +56,9 @@ def _add_solution(p: Any) -> None:
                    help="about how many vertices, more where the light changes fast (default: five for each patch);"
                    " 0: the corners of the patches, as textbooks draw them")  # fmt: skip
     p.add_argument("--flip", action="store_true", help="turn all fronts to the other side")
+    p.add_argument("--two-sided", action="store_true", help="sheets reflect on both sides")
+    p.add_argument("--emit", type=exitance, action="append", default=[], metavar="NAME=E",
+                   help="exitance of a material, one number or R,G,B; may be repeated")  # fmt: skip
     p.add_argument("--close", action="store_true", help="scale form factors so that rows sum to 1: closed scenes")
     p.add_argument("--scheduler", metavar="ADDRESS", help="use the workers of a Dask scheduler, tcp://HOST:8786")
     p.add_argument("--resume", metavar="FILE",
@@ -67,16 +70,21 @@ def _add_picture(p: Any) -> None:
     p.add_argument("--size", type=size, default=512, metavar="N", help="pixels of a picture (default: %(default)s)")
     p.add_argument("--views", type=_views, default=[0], metavar="N,...|all",
                    help="which cameras; of several, pictures get the number in their names (default: 0)")  # fmt: skip
-    p.add_argument("--camera", type=camera, metavar="AZIMUTH,ELEVATION[,DISTANCE]",
-                   help="instead: around the scene, in degrees from its front, and radii (distance: 4)")  # fmt: skip
+    p.add_argument("--camera", type=viewpoint, metavar="CAMERA",
+                   help="instead: one of the scene, by name (--list); X,Y,Z/X,Y,Z[/DEGREES]: the eye, where it looks,"
+                   " the angle from bottom to top; AZIMUTH,ELEVATION[,DISTANCE]: around the scene, in degrees from its"
+                   " front, and radii (4)")  # fmt: skip
     p.add_argument("--direct", metavar="FILE", help="a picture of direct illumination and radiosity side by side")
     p.add_argument("--final-gather", metavar="FILE",
                    help="a sheet: patches, meshes, and light gathered at every pixel, with their errors (slow: try"
                    " --size 200 first)")  # fmt: skip
+    p.add_argument("--steps", metavar="FILE",
+                   help="the picture after some of the solver's iterations, on a sheet or, if the name ends in .gif,"
+                   " moving; --solver jacobi shows bounces, --solver shooting shots")  # fmt: skip
     p.add_argument(
         "--white", type=positive, metavar="B", help="the radiosity that becomes white (default: by the scene)"
     )
-    p.add_argument("--tone", choices=("linear", "reinhard"), default="linear", help="tone mapping (default: linear)")
+    p.add_argument("--tone", choices=("linear", "reinhard"), help="tone mapping (default: by the scene)")
     p.add_argument("--gamma", type=positive, default=2.2, help="of the screen (default: 2.2)")
 
 
@@ -112,12 +120,13 @@ def _radiosity(options: argparse.Namespace) -> int:
     for name in options.output:
         if Path(name).suffix.lower() not in DATA:
             check_picture_name(name)
-    for name in filter(None, (options.direct, options.final_gather)):
+    for name in filter(None, (options.direct, options.final_gather, options.steps)):
         check_picture_name(name)
     for name in (
         *options.output,
         options.direct,
         options.final_gather,
+        options.steps,
         options.json,
         None if options.scheduler else options.resume,
     ):
@@ -140,13 +149,19 @@ def _list(options: argparse.Namespace) -> int:
     from glsim.radiosity.scenes import BUILT_IN
 
     about = {name: entry.about for name, entry in BUILT_IN.items()}
-    lines = [f"  {name:16} {words}" for name, words in about.items()]
-    print(json.dumps({"scenes": about}) if options.json else "Scenes:\n" + "\n".join(lines))
+    cameras = {name: [view.name for view in entry.make().views if view.name] for name, entry in BUILT_IN.items()}
+    lines = [
+        f"  {name:16} {words}" + (f"; cameras: {', '.join(cameras[name])}" if cameras[name] else "")
+        for name, words in about.items()
+    ]
+    print(json.dumps({"scenes": about, "cameras": cameras}) if options.json else "Scenes:\n" + "\n".join(lines))
     return 0
 
 
 def _solved(options: argparse.Namespace) -> Radiosity:
     """Solve with these options, under progress bars."""
+    from glsim.radiosity.cameras import named
+    from glsim.radiosity.load import scene_from
     from glsim.radiosity.solution import solve
 
     checkpoint = options.resume
@@ -155,8 +170,11 @@ def _solved(options: argparse.Namespace) -> Radiosity:
     with _bars() as (bars, progress):
         task = bars.add_task("solving", total=None)
         try:
+            scene = scene_from(options.what, emit=dict(options.emit), two_sided=options.two_sided)
+            if isinstance(options.camera, str):
+                named(scene, options.camera)  # raises before anything is solved
             result = solve(
-                options.what, options.patches, method=options.method, solver=options.solver,
+                scene, options.patches, method=options.method, solver=options.solver,
                 tolerance=options.tolerance, vertices=options.vertices, drawn=options.drawn, adaptive=options.adaptive,
                 accuracy=options.accuracy, flip=options.flip, close=options.close, checkpoint=checkpoint,
                 scheduler=options.scheduler, progress=progress,
@@ -171,6 +189,8 @@ def _solved(options: argparse.Namespace) -> Radiosity:
 
 def _written(result: Radiosity, options: argparse.Namespace) -> list[str]:
     """Write all that was asked for, and return the names of the files."""
+    from glsim.radiosity.watch import save_steps
+
     views: list[Any] = list(range(len(result.patches.scene.views))) if options.views is None else options.views
     if options.camera is not None:
         views = [options.camera]
@@ -189,6 +209,9 @@ def _written(result: Radiosity, options: argparse.Namespace) -> list[str]:
         with _bars() as (_, progress):
             sheet = result.final_gather(options.size, view, progress)
         write_atomically(names[-1], sheet.save)
+    for view in views if options.steps else []:
+        names.append(_numbered(options.steps, view, views))
+        save_steps(result, names[-1], size=options.size, view=view)
     return names
 
 

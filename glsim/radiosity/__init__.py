@@ -1,6 +1,7 @@
 """Radiosity: diffuse light that bounces, solved patch by patch and baked into vertex colours.
 
-    scene, scenes     polygons with reflectance and exitance, checks; the built-in ones; load, program: others
+    scene, scenes     polygons with reflectance and exitance, checks; the built-in ones; load, files, program: others
+    textures, sheets  reflectance from pictures; what has two sides
     patches           what light is exchanged between; subdivide makes them, contacts cuts them where polygons touch,
                       hidden leaves out what nobody sees, clusters makes one of many; near: boxes that overlap
     methods           a table of the ways to find form factors; formfactors (contour), textbook, hemicube
@@ -25,6 +26,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from glsim.radiosity.load import scene_from as scene_from
     from glsim.radiosity.result import Radiosity as Radiosity
     from glsim.radiosity.scene import Builder as Builder
     from glsim.radiosity.scene import Material as Material
@@ -33,10 +35,13 @@ if TYPE_CHECKING:
     from glsim.radiosity.scene import View as View
     from glsim.radiosity.scenes import BUILT_IN as BUILT_IN
     from glsim.radiosity.solution import solve as solve
+    from glsim.radiosity.textures import Texture as Texture
+    from glsim.radiosity.textures import texture_of as texture_of
 
 _HOME = {
     "Radiosity": "result", "solve": "solution", "Builder": "scene", "Material": "scene", "Scene": "scene",
-    "SceneError": "scene", "View": "scene", "BUILT_IN": "scenes",
+    "SceneError": "scene", "View": "scene", "BUILT_IN": "scenes", "Texture": "textures", "texture_of": "textures",
+    "scene_from": "load",
 }  # fmt: skip
 __all__ = list(_HOME)
 

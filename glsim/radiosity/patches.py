@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.scene import Scene
+from glsim.radiosity.textures import mean_texels
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
@@ -152,9 +153,21 @@ def patches_from(scene: Scene, corners: Float, counts: Int, polygon: Int, level:
     paint = np.asarray(scene.material)[polygon]
     if level is None:
         level = np.zeros(len(corners), np.int64)
+    reflected = rho[paint] * texels_of(scene, corners, polygon)
     return Patches(
-        scene, corners, counts, polygon, level, area, center, scene.normals[polygon], size, rho[paint], E[paint]
+        scene, corners, counts, polygon, level, area, center, scene.normals[polygon], size, reflected, E[paint]
     )
+
+
+def texels_of(scene: Scene, corners: Float, polygon: Int) -> Float:
+    """Return the mean texel (n, 3) of patches with corners (n, 4, 3) of these polygons (n,); 1 without a texture."""
+    result = np.ones((len(corners), 3))
+    for number, material in enumerate(scene.materials):
+        if material.texture is not None:
+            of = np.flatnonzero(np.asarray(scene.material)[polygon] == number)
+            M = np.array([scene.mapping[k] for k in polygon[of].tolist()]).reshape(-1, 2, 4)
+            result[of] = mean_texels(material.texture, corners[of], M)
+    return result
 
 
 def patches_of(scene: Scene, polygons: Sequence[Float], owners: Sequence[int]) -> Patches:

@@ -140,7 +140,7 @@ def losses(result: Radiosity, size: int, view: View, tell: Progress = silent) ->
     pictures, errors = [], []
     for name, (pixels, values) in shown.items():
         image = _spread(pixels, values, size)
-        colors = toned(image, result.shown_white, result.tone, result.gamma)
+        colors = toned(image, result.shown_white, result.shown_tone, result.gamma)
         pictures.append((name, np.asarray(np.round(255.0 * colors), np.uint8)))
         off = np.abs(image - reference).max(axis=2)
         rms = 100.0 * float(np.sqrt((off[dark] ** 2).sum() / max((bright[dark] ** 2).sum(), 1e-300)))

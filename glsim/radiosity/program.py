@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.radiosity.scene import BRIGHTEST, Builder, Material, Scene, SceneError, View, normal_of
+from glsim.radiosity.sheets import SAME, places, sheets
 
 Float = NDArray[np.float64]
 Int = NDArray[np.int64]
 ACROSS = 0.5  # of |mean vertex normal . the polygon's own|: up to this the vertex normals do not decide the front
-SAME = 1e-4  # of the scene's size, and of a unit normal: corners this near are one
 
 
 class DrawnPolygon(NamedTuple):
@@ -57,10 +57,10 @@ def from_frame(frame: Any, name: str = "frame") -> Scene:
     if not surfaces:
         raise SceneError(f"{name}: no polygons are drawn")
     b = Builder(Path(name).name)
-    sheets = _open(surfaces)
+    open_ = sheets([surface.polygon for surface in surfaces])
     for part in _parts(surfaces):
         b.add([surfaces[k].polygon for k in part], surfaces[part[0]].material, smooth=True)
-        for back in dict.fromkeys(surfaces[k].back for k in part if sheets[k]):
+        for back in dict.fromkeys(surfaces[k].back for k in part if open_[k]):
             if back is not None:
                 b.add([surfaces[k].polygon[::-1] for k in part if surfaces[k].back == back], back, smooth=True)
     doubts = [surface.doubt for surface in surfaces]
@@ -155,17 +155,6 @@ def _view_in(projection: Float) -> View:
 # ---------------------------------------------------------------- what belongs together
 
 
-def _corners(surfaces: list[DrawnPolygon]) -> tuple[Int, Int]:
-    """Return for each corner of all polygons, in order, the number of its polygon and the number of its position.
-
-    Corners with equal positions (see SAME) have the same number.
-    """
-    points = np.concatenate([surface.polygon for surface in surfaces])
-    unit = SAME * max(float(np.linalg.norm(np.ptp(points, axis=0))), 1e-300)
-    owner = np.repeat(np.arange(len(surfaces)), [len(surface.polygon) for surface in surfaces])
-    return owner, np.unique(np.round(points / unit), axis=0, return_inverse=True)[1].ravel()
-
-
 def _parts(surfaces: list[DrawnPolygon]) -> list[list[int]]:
     """Group the numbers of polygons that form one smooth surface.
 
@@ -174,7 +163,7 @@ def _parts(surfaces: list[DrawnPolygon]) -> list[list[int]]:
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components
 
-    owner, place = _corners(surfaces)
+    owner, place = places([surface.polygon for surface in surfaces])
     normals = np.concatenate([surface.normals for surface in surfaces])
     kinds = {material: k for k, material in enumerate(dict.fromkeys(surface.material for surface in surfaces))}
     kind = np.array([kinds[surface.material] for surface in surfaces])[owner]
@@ -189,20 +178,3 @@ def _parts(surfaces: list[DrawnPolygon]) -> list[list[int]]:
     for surface, number in enumerate(label):
         parts.setdefault(number, []).append(surface)
     return list(parts.values())
-
-
-def _open(surfaces: list[DrawnPolygon]) -> NDArray[np.bool_]:
-    """Return whether each polygon is part of a sheet, and not of a body's surface: (n,).
-
-    A sheet has an edge along which no other polygon runs in the opposite direction.
-    """
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
-    owner, place = _corners(surfaces)
-    following = np.concatenate([np.roll(part, -1) for part in np.split(place, np.flatnonzero(np.diff(owner)) + 1)])
-    n, many = len(surfaces), len(place)
-    label = connected_components(coo_matrix((np.ones(many), (owner, n + place)), shape=(n + many,) * 2), False)[1]
-    real = place != following  # a pole's edges may have no length
-    alone = ~np.isin(following * many + place, place * many + following) & real
-    return np.asarray(np.isin(label[:n], label[owner[alone]]))

@@ -15,12 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glsim.files import write_atomically
+from glsim.radiosity.cameras import Viewpoint, automatic, named, view_around
 from glsim.radiosity.factors import Factors
 from glsim.radiosity.gather import Light, gathered, irradiance_at, radiosity_at
 from glsim.radiosity.mesh import PatchMesh, mesh_of
 from glsim.radiosity.patches import Patches
 from glsim.radiosity.progress import Progress, silent
-from glsim.radiosity.scene import SceneError, View, view_around, view_of
+from glsim.radiosity.scene import SceneError, View
 from glsim.radiosity.solvers import SOLVERS, SolverStep, System, shooting
 from glsim.radiosity.tone import GAMMA, automatic_white, toned
 from glsim.scenes import Camera
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
     from PIL import Image
 
 Float = NDArray[np.float64]
-Viewpoint = int | View | Camera  # a camera of the scene by its number, any, or one around the scene
 OPEN = 5e-3  # share of the light that escapes: above it the scene is open, below it form factors are inexact
 BLIND = 1e-3  # a patch whose row of form factors has a smaller sum sees nothing
 
@@ -40,7 +40,8 @@ class Radiosity:
 
     B: (n, 3) per patch; steps: one for each iteration (only the last has its B); mesh, vertex_radiosity: triangles and
     the radiosity at their vertices (V, 3); light: the irradiance there, None if it was not gathered; seconds: by stage.
-    white: the radiosity that becomes white (None: chosen by the scene), tone: see tone.TONES, gamma: of the screen.
+    white: the radiosity that becomes white, tone: see tone.TONES (None: as the scene has them, or by the brightness of
+    its surfaces); gamma: of the screen.
     """
 
     patches: Patches
@@ -53,7 +54,7 @@ class Radiosity:
     solver: str
     seconds: dict[str, float] = field(default_factory=dict)
     white: float | None = None
-    tone: str = "linear"
+    tone: str | None = None
     gamma: float = GAMMA
 
     # ------------------------------------------------------------ numbers
@@ -78,37 +79,53 @@ class Radiosity:
     # ------------------------------------------------------------ pictures
 
     def draw(self, colors: Float | None = None) -> None:
-        """Draw with the gl commands under the current matrices: vertex colours, GL_SMOOTH, no lighting, fronts only."""
-        from glsim.radiosity.view import draw_colors
+        """Draw with the gl commands under the current matrices: vertex colours, GL_SMOOTH, no lighting, fronts only.
 
-        draw_colors(self.mesh, self.colors() if colors is None else colors)
+        colors: (V, 3) of the vertices, instead of those of the radiosity and of textures.
+        """
+        from glsim.radiosity.view import draw_colors, draw_solution
+
+        if colors is None:
+            draw_solution(self, self.vertex_radiosity)
+        else:
+            draw_colors(self.mesh, colors)
 
     def colors(self, B: Float | None = None) -> Float:
         """Return colours for the screen, (V, 3) in [0, 1], of the vertices' radiosity or of another, B (V, 3)."""
         shown = self.vertex_radiosity if B is None else B
-        return toned(shown, self.shown_white, self.tone, self.gamma)
+        return toned(shown, self.shown_white, self.shown_tone, self.gamma)
+
+    @property
+    def shown_tone(self) -> str:
+        """The name of the tone mapping."""
+        return self.tone or self.patches.scene.tone
 
     @property
     def shown_white(self) -> float:
         """The radiosity that becomes white."""
-        return self.white or automatic_white(self.patches, self.B)
+        return self.white or self.patches.scene.white or automatic_white(self.patches, self.B)
 
     def picture(
-        self, size: int = 512, view: Viewpoint = 0, *, camera: Camera | None = None, colors: Float | None = None,
-        samples: int = 4,
+        self, size: int = 512, view: Viewpoint = 0, *, camera: Camera | None = None, B: Float | None = None,
+        colors: Float | None = None, samples: int = 4,
     ) -> Image.Image:  # fmt: skip
         """Draw the scene, ``size`` pixels wide and high.
 
-        view: the number of one of its cameras, or a View.  camera: one around the scene instead, as
-        ``Camera(azimuth, elevation, distance)`` of glsim.scenes; see scene.view_around.  colors: (V, 3) of the
-        vertices, instead of those of the radiosity.
+        view: the number or the name of one of its cameras, or a View.  camera: one around the scene instead, as
+        ``Camera(azimuth, elevation, distance)`` of glsim.scenes (see cameras.view_around).  B: (V, 3), a radiosity of
+        vertices instead of the solution's; colors: (V, 3), instead of those of any radiosity and of textures.
 
             radiosity.solve("cornell", 300).picture(camera=Camera(30, 25, 3)).save("from-the-right.png")
         """
-        from glsim.radiosity.view import picture_of
+        from glsim.radiosity.view import draw_colors, draw_solution, picture_of
 
-        shown = self.colors() if colors is None else colors
-        return picture_of(self.mesh, shown, self.patches.scene, self.view(camera or view), size, samples)
+        def draw() -> None:
+            if colors is None:
+                draw_solution(self, self.vertex_radiosity if B is None else B)
+            else:
+                draw_colors(self.mesh, colors)
+
+        return picture_of(draw, self.patches.scene, self.view(camera or view), size, samples)
 
     def direct(self) -> Float:
         """Return the radiosity at the vertices (V, 3) after one bounce: what direct illumination shows."""
@@ -143,7 +160,7 @@ class Radiosity:
         from glsim.pictures import tiles
 
         both = (("direct illumination", self.direct()), ("radiosity", self.vertex_radiosity))
-        row = [(name, np.asarray(self.picture(size, view, colors=self.colors(B)))) for name, B in both]
+        row = [(name, np.asarray(self.picture(size, view, B=B))) for name, B in both]
         return tiles(self.patches.scene.name, [row], size)
 
     @cached_property
@@ -162,23 +179,28 @@ class Radiosity:
         return losses(self, size, self.view(view), progress or silent)
 
     def view(self, which: Viewpoint) -> View:
-        """Return a camera of the scene by its number, or one around it.  Raises SceneError if it is not there."""
+        """Return a camera of the scene by its number or name, or one around it.  Raises SceneError if there is none."""
         if isinstance(which, View):
             return which
         if isinstance(which, Camera):
             return view_around(self.patches.scene, which)
-        views = self.patches.scene.views or (view_of(np.concatenate(self.patches.scene.polygons)),)
-        if not 0 <= which < len(views):
-            many = "1 view" if len(views) == 1 else f"{len(views)} views"
-            raise SceneError(f"{self.patches.scene.name} has {many}, numbered from 0; there is no {which}")
-        return views[which]
+        if which == 0 and not self.patches.scene.views:
+            return self._automatic_view
+        return named(self.patches.scene, which)
+
+    @cached_property
+    def _automatic_view(self) -> View:
+        """The camera of a scene that has none."""
+        return automatic(self)
 
     def row_picture(self, patch: int, size: int = 512, view: Viewpoint = 0) -> Image.Image:
         """Draw row ``patch`` of the form factors on the scene: how much of its light arrives, per unit of area.
 
-        The patch itself is orange; the brightest 5 % of the vertices are white.  Raises SceneError if there is no such
-        patch.
+        size: pixels of the scene, beside which the scale stands.  The patch itself is orange; the brightest 5 % of the
+        vertices are white.  Raises SceneError if there is no such patch.
         """
+        from glsim.radiosity.plots import on_scene
+
         if not 0 <= patch < len(self.patches):
             raise SceneError(f"patches are numbered from 0 to {len(self.patches) - 1}; there is no {patch}")
         mesh = self.patch_mesh
@@ -193,7 +215,7 @@ class Radiosity:
         shown = np.repeat(np.minimum(values / bright, 1.0)[:, None] ** (1.0 / GAMMA), 3, axis=1)
         corners = np.unique(mesh.triangles[mesh.triangle_patch == patch])
         shown[corners] = (1.0, 0.5, 0.0)
-        return replace(self, mesh=mesh).picture(size, view, colors=shown)
+        return on_scene(replace(self, mesh=mesh).picture(size, view, colors=shown), patch, bright)
 
     def convergence_picture(self) -> Image.Image:
         """Draw the residual over the iterations."""
@@ -208,6 +230,12 @@ class Radiosity:
         if self.factors.matrix is None:
             raise SceneError(f"{self.factors.method} form factors are no matrix that could be shown")
         return matrix(np.asarray(self.factors.matrix / self.patches.area[:, None], np.float64), size)
+
+    def steps_picture(self, solver: str | None = None, size: int = 256, view: Viewpoint = 0) -> Image.Image:
+        """Draw the scene after 0, 1, 2, ... iterations of a solver (by default its own), see watch.watched."""
+        from glsim.radiosity.watch import strip
+
+        return strip(self, solver, size, view)
 
     def __repr__(self) -> str:
         name, n, last = self.patches.scene.name, len(self.patches), self.steps[-1]

@@ -9,17 +9,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-if TYPE_CHECKING:
-    from glsim.scenes import Camera
+from glsim.radiosity.sheets import sheets
+from glsim.radiosity.textures import Texture, mapping_of
 
 Float = NDArray[np.float64]
 Channels = tuple[float, float, float]
 BRIGHTEST = 0.99  # reflectance: a file or a program may say 1, and light would never end
+THINNEST = 1e-10  # area of a polygon, in squares of its diameter: thinner ones are dropped
 FLAT = 1e-5  # how far a corner may be from its polygon's plane, in diameters
 
 
@@ -28,20 +29,25 @@ class SceneError(ValueError):
 
 
 class Material(NamedTuple):
-    """rho: diffuse reflectance, E: exitance (W/m^2 or any unit of it), for red, green and blue."""
+    """rho: diffuse reflectance, E: exitance (W/m^2 or any unit of it), for red, green and blue.
+
+    texture: its texels are multiplied by rho.
+    """
 
     name: str
     rho: Channels
     E: Channels = (0.0, 0.0, 0.0)
+    texture: Texture | None = None
 
 
 class View(NamedTuple):
-    """A camera.  fov: degrees from bottom to top."""
+    """A camera.  fov: degrees from bottom to top; name: by which it is chosen."""
 
     eye: Channels
     target: Channels
     up: Channels = (0.0, 1.0, 0.0)
     fov: float = 45.0
+    name: str = ""
 
 
 @dataclass(frozen=True, repr=False)
@@ -49,7 +55,9 @@ class Scene:
     """What is solved: polygons with materials, and cameras.
 
     polygons: convex, (k, 3) each, k >= 3; material: for each its number in ``materials``; group: for each the number of
-    the object that it belongs to (for smooth normals); views: the first is the usual one; notes: what was mended.
+    the object that it belongs to (for smooth normals); views: the first is the usual one; notes: what was mended;
+    mapping: for each polygon the M of its texture coordinates (see textures.py), or None; white, tone: how its pictures
+    are exposed, see tone.py (None: chosen by the result).
     """
 
     name: str
@@ -59,6 +67,9 @@ class Scene:
     views: tuple[View, ...] = ()
     group: tuple[int, ...] = ()
     notes: tuple[str, ...] = field(default=())
+    mapping: tuple[Float | None, ...] = ()
+    white: float | None = None
+    tone: str = "linear"
 
     def __repr__(self) -> str:
         polygons, lamps = len(self.polygons), len(self.emitters)
@@ -106,6 +117,18 @@ class Scene:
         """Return the scene with all fronts turned to the other side."""
         return replace(self, polygons=tuple(polygon[::-1] for polygon in self.polygons))
 
+    def two_sided(self) -> Scene:
+        """Return the scene with a second front for each sheet; the surfaces of bodies keep one."""
+        open_ = np.flatnonzero(sheets(self.polygons)).tolist() if self.polygons else []
+        groups = self.group or tuple(range(len(self.polygons)))
+        mapping = self.mapping or (None,) * len(self.polygons)
+        return replace(
+            self, polygons=(*self.polygons, *(self.polygons[k][::-1] for k in open_)),
+            material=(*self.material, *(self.material[k] for k in open_)),
+            group=(*groups, *(max(groups) + 1 + groups[k] for k in open_)),
+            mapping=(*mapping, *(mapping[k] for k in open_)),
+        )  # fmt: skip
+
     def triangles(self) -> Float:
         """Return all polygons as fans of triangles: (m, 3, 3), one polygon after the other."""
         return np.array(
@@ -122,7 +145,7 @@ class Scene:
             _check_material(material)
         if not self.polygons:
             raise SceneError(f"{self.name}: there is no polygon")
-        good: list[tuple[Float, int, int]] = []
+        good: list[tuple[Float, int, int, Float | None]] = []
         flat, crooked, twice = (
             "degenerate polygons, dropped", "polygons that were not planar, split into triangles",
             "duplicate polygons, dropped",
@@ -131,26 +154,33 @@ class Scene:
         seen: set[Any] = set()
         scale = self.size
         groups = self.group or tuple(self.material)
-        for number, (given, paint, group) in enumerate(zip(self.polygons, self.material, groups, strict=True)):
-            if not np.isfinite(given).all():
+        mapping = self.mapping or (None,) * len(self.polygons)
+        whole = zip(self.polygons, self.material, groups, mapping, strict=True)
+        sound = _sound_triangles(self.polygons, scale)
+        for number, (given, paint, group, M) in enumerate(whole):
+            if number in sound:
+                parts = [(np.asarray(given, np.float64), sound[number])]
+            elif np.isfinite(given).all():
+                parts = [
+                    (part, normal_of(part)) for part in planar(_without_repeats(np.asarray(given, np.float64), scale))
+                ]
+            else:
                 raise SceneError(f"{self.name}: polygon {number} has coordinates that are not finite numbers")
-            parts = _planar(_without_repeats(np.asarray(given, np.float64), scale))
             counts[crooked] += len(parts) > 1
             counts[flat] += not parts
-            for polygon in parts:
-                normal = tuple(
-                    (np.round(normal_of(polygon), 3) + 0.0).tolist()
-                )  # the other side of a sheet is no duplicate
-                key = frozenset(map(tuple, np.round(polygon / scale, 7).tolist())), normal
+            for polygon, normal in parts:  # the other side of a sheet has another normal and is no duplicate
+                key = frozenset(map(tuple, (polygon / scale).round(7).tolist())), *(normal.round(3) + 0.0).tolist()
                 counts[twice] += key in seen
                 if key not in seen:
                     seen.add(key)
-                    good.append((polygon, paint, group))
+                    good.append((polygon, paint, group, M))
         notes = [*self.notes, *(f"{words}: {count}" for words, count in counts.items() if count)]
         if not good:
             raise SceneError(f"{self.name}: all polygons are degenerate (no area)")
-        polygons, materials, good_groups = zip(*good, strict=True)
-        result = replace(self, polygons=polygons, material=materials, group=good_groups, notes=tuple(notes))
+        polygons, materials, good_groups, maps = zip(*good, strict=True)
+        result = replace(
+            self, polygons=polygons, material=materials, group=good_groups, notes=tuple(notes), mapping=maps
+        )
         if not result.emitters:
             raise SceneError(
                 f"{self.name}: nothing emits light: give a material an exitance E > 0 (in a file: an emissive colour;"
@@ -170,44 +200,13 @@ def _check_material(material: Material) -> None:
         raise SceneError(f"{name}: rho and E need three numbers each (red, green, blue)")
     if not np.isfinite([rho, E]).all():
         raise SceneError(f"{name}: rho = {material.rho} and E = {material.E} must be finite numbers")
-    if (rho < 0.0).any() or (rho >= 1.0).any():
+    brightest = rho if material.texture is None else rho * material.texture.peak
+    if (rho < 0.0).any() or (brightest >= 1.0).any():
         raise SceneError(
             f"{name}: the reflectance rho = {material.rho} must be at least 0 and less than 1, or light never ends"
         )
     if (E < 0.0).any() or (E > 1e30).any():
         raise SceneError(f"{name}: the exitance E = {material.E} must not be negative, nor above 1e30")
-
-
-def view_of(points: Float) -> View:
-    """Return a camera that sees all points (n, 3), from the front and a little above."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    middle, size = (low + high) / 2.0, float(np.linalg.norm(high - low))
-    eye = middle + size * np.array([0.35, 0.3, 1.2])
-    return View(tuple(eye.tolist()), tuple(middle.tolist()), fov=40.0)
-
-
-def view_around(scene: Scene, camera: Camera) -> View:
-    """A camera outside of a scene, that looks at its middle.
-
-    camera: azimuth 0 is the side on which the scene's first camera stands, 90 on its right; distance in radii of the
-    sphere around the scene.  Walls are seen from their fronts alone, so a closed room is seen into.
-    """
-    points = np.concatenate(scene.polygons)
-    low, high = points.min(axis=0), points.max(axis=0)
-    middle, radius = (low + high) / 2.0, float(np.linalg.norm(high - low)) / 2.0
-    first = scene.views[0] if scene.views else view_of(points)
-    up = np.array(first.up, float) / np.linalg.norm(first.up)
-    back = np.subtract(first.eye, first.target)
-    front = back - (back @ up) * up
-    if np.linalg.norm(front) < 1e-6 * np.linalg.norm(back):  # it looks straight down
-        front = np.cross(up, (0.0, 0.0, 1.0) if abs(up[2]) < 0.9 else (1.0, 0.0, 0.0))
-    front /= np.linalg.norm(front)
-    right = np.cross(up, front)
-    a, e = np.radians((camera.azimuth, min(max(camera.elevation, -89.9), 89.9)))
-    towards = np.cos(e) * (np.sin(a) * right + np.cos(a) * front) + np.sin(e) * up
-    eye = middle + camera.distance * radius * towards
-    x, y, z = up.tolist()
-    return View(tuple(eye.tolist()), tuple(middle.tolist()), (x, y, z), camera.angle)
 
 
 def normal_of(polygon: Float) -> Float:
@@ -224,19 +223,32 @@ def area_of(polygon: Float) -> float:
     return float(np.linalg.norm(np.cross(edges[:-1], edges[1:]).sum(axis=0)) / 2.0)
 
 
+def _sound_triangles(polygons: Sequence[Float], scale: float) -> dict[int, Float]:
+    """Return the unit normals of triangles that need no mending, by their numbers: most polygons of a large file."""
+    numbers = [number for number, polygon in enumerate(polygons) if len(polygon) == 3]
+    corners = np.array([polygons[number] for number in numbers], np.float64).reshape(-1, 3, 3)
+    with np.errstate(invalid="ignore", over="ignore"):
+        edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        length, size = np.linalg.norm(normals, axis=1), np.linalg.norm(np.ptp(corners, axis=1), axis=1)
+        good = (edges > 1e-9 * scale).all(axis=1) & (length >= 2.0 * THINNEST * size * size) & (length > 0.0)
+        good &= np.isfinite(length)
+    return dict(zip(np.array(numbers, int)[good].tolist(), normals[good] / length[good, None], strict=True))
+
+
 def _without_repeats(polygon: Float, scale: float) -> Float:
     """Return the polygon without corners that coincide with the corner before."""
     apart = np.linalg.norm(polygon - np.roll(polygon, 1, axis=0), axis=1) > 1e-9 * scale
     return np.asarray(polygon[apart])
 
 
-def _planar(polygon: Float) -> list[Float]:
+def planar(polygon: Float) -> list[Float]:
     """Return the polygon if it is planar and convex, else triangles of it; nothing if it has no area."""
     if len(polygon) < 3:
         return []
     size = float(np.linalg.norm(np.ptp(polygon, axis=0)))
     normal = normal_of(polygon)
-    if area_of(polygon) < 1e-10 * size * size or not normal.any():
+    if area_of(polygon) < THINNEST * size * size or not normal.any():
         return []
     if len(polygon) == 3:
         return [polygon]
@@ -309,32 +321,60 @@ class Builder:
         self.polygons: list[Float] = []
         self.material: list[int] = []
         self.group: list[int] = []
+        self.mapping: list[Float | None] = []
         self.materials: list[Material] = []
+        self.numbers: dict[Any, int] = {}  # of the materials
 
-    def add(self, polygons: Iterable[ArrayLike], material: Material, smooth: bool = False) -> None:
+    def add(
+        self, polygons: Iterable[ArrayLike], material: Material, smooth: bool = False,
+        st: Iterable[ArrayLike] | None = None,
+    ) -> None:  # fmt: skip
         """Add polygons (k, 3) of one material; ``smooth``: they are one curved surface.
 
-        Raises SceneError for other shapes.
+        st: for each the texture coordinates (k, 2) of its corners, from the lower left of the picture on; needed by a
+        material with a texture.  Raises SceneError for other shapes.
         """
-        if material not in self.materials:
-            self.materials.append(material)
-        group = max(self.group, default=-1) + 1
-        for polygon in polygons:
-            try:
-                corners = np.array(polygon, np.float64)
-            except (TypeError, ValueError):
-                corners = np.zeros(0)
-            if corners.ndim != 2 or corners.shape[1] != 3:
-                raise SceneError(
-                    f"{self.name}: add takes a list of polygons, each a list of corners (x, y, z), not {polygon!r}"
-                )
+        number = self.numbers.setdefault((repr(material[:3]), material.texture), len(self.materials))
+        self.materials += [material] if number == len(self.materials) else []
+        group = self.group[-1] + 1 if self.group else 0
+        polygons = list(polygons)
+        coordinates = [None] * len(polygons) if st is None else list(st)
+        if (material.texture is not None and st is None) or len(coordinates) != len(polygons):
+            raise SceneError(
+                f"{self.name}: material {material.name!r} has a texture: add needs st, the texture coordinates (k, 2)"
+                f" of each of the {len(polygons)} polygons"
+            )
+        for given, pair in zip(polygons, coordinates, strict=True):
+            corners = self._array(given, 3, "a list of polygons, each a list of corners (x, y, z)")
             self.polygons.append(corners)
-            self.material.append(self.materials.index(material))
+            self.mapping.append(None if pair is None else self._mapping(corners, pair))
+            self.material.append(number)
             self.group.append(group)
             group += not smooth
+
+    def _array(self, given: Any, many: int, wanted: str) -> Float:
+        """Return an array (k, many).  Raises SceneError for another shape."""
+        try:
+            values = np.array(given, np.float64)
+        except (TypeError, ValueError):
+            values = np.zeros(0)
+        if values.ndim != 2 or values.shape[1] != many:
+            raise SceneError(f"{self.name}: add takes {wanted}, not {given!r}")
+        return values
+
+    def _mapping(self, corners: Float, given: Any) -> Float:
+        """Return the M of a polygon's texture coordinates.  Raises SceneError if they are none."""
+        st = self._array(given, 2, "texture coordinates (s, t) of each corner")
+        M = mapping_of(corners, st) if len(st) == len(corners) else None
+        if M is None:
+            raise SceneError(
+                f"{self.name}: texture coordinates must fit a flat picture, one pair a corner, not {given}"
+            )
+        return M
 
     def scene(self, *views: View) -> Scene:
         """Return the scene with these cameras."""
         return Scene(
-            self.name, tuple(self.polygons), tuple(self.material), tuple(self.materials), views, tuple(self.group)
-        )
+            self.name, tuple(self.polygons), tuple(self.material), tuple(self.materials), views, tuple(self.group),
+            mapping=tuple(self.mapping),
+        )  # fmt: skip

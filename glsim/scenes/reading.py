@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import bz2
 import gzip
+import io
 import os
 import signal
 import stat
@@ -22,6 +23,7 @@ from urllib.parse import unquote
 import trimesh
 
 from glsim.scenes.mesh import MeshError
+from glsim.scenes.plain import plain
 
 SIZE = 512 << 20  # bytes: of a file, and of all that an archive contains
 MEMORY = 4 << 30  # bytes that reading may take (Linux)
@@ -34,13 +36,15 @@ def read(path: Path) -> tuple[Any, list[Any]]:
 
     Raises MeshError, with one sentence that names the file, for what is no regular file, is too large, too slow or
     broken, names a necessary file outside of its folder, or has no triangles.  What is not necessary (materials,
-    pictures) is left out.
+    pictures) is left out; ``metadata["missing"]`` of the scene has the names.
     """
+    folder = Folder(str(path))
     kind = trimesh.util.split_extension(path.name, special=["tar.gz", "tar.bz2"]).lower()
     try:
         with limits(), regular(path) as file:
             check_unpacked(file, kind)
-            scene = trimesh.load_scene(file, file_type=kind, resolver=Folder(str(path)), process=False)
+            source = io.BytesIO(plain(file.read(), kind)) if kind in ("obj", "gltf", "glb") else file
+            scene = trimesh.load_scene(source, file_type=kind, resolver=folder, process=False)
             meshes = [mesh for mesh in scene.dump() if isinstance(mesh, trimesh.Trimesh) and len(mesh.faces)]
     except MemoryError as error:
         raise MeshError(f"{path} cannot be read: it needs more than {MEMORY >> 30} GiB of memory") from error
@@ -53,6 +57,7 @@ def read(path: Path) -> tuple[Any, list[Any]]:
         raise MeshError(f"{path} cannot be read as a {kind.upper() or 'mesh'} file: {reason}") from error
     if not meshes:
         raise MeshError(f"{path} has no triangles to draw")
+    scene.metadata["missing"] = folder.missing
     return scene, meshes
 
 
@@ -69,7 +74,14 @@ def regular(path: Path) -> IO[bytes]:
 
 
 class Folder(trimesh.resolvers.FilePathResolver):
-    """Gives the files that a mesh file names: regular ones, in the mesh file's own folder and the folders in it."""
+    """Gives the files that a mesh file names: regular ones, in the mesh file's own folder and the folders in it.
+
+    missing: names for which there is none.
+    """
+
+    def __init__(self, path: str) -> None:
+        super().__init__(path)
+        self.missing: list[str] = []
 
     def get(self, name: str) -> bytes:
         """The bytes of a file, named as in the mesh file, or percent-encoded, or with another machine's folders.
@@ -83,6 +95,7 @@ class Folder(trimesh.resolvers.FilePathResolver):
             if path.is_relative_to(root) and path.exists():
                 with regular(path) as file:
                     return file.read(SIZE)
+        self.missing.append(name.strip())
         raise ValueError(f"it names {name!r}, which is not in its folder; put that file beside it")
 
     def namespaced(self, namespace: str) -> Folder:

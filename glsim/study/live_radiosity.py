@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from glsim.machine.frame import Frame, Vertices
 from glsim.play.capture import capture
+from glsim.radiosity.cameras import Viewpoint
 from glsim.radiosity.pointlights import ambient_of
-from glsim.radiosity.result import Radiosity, Viewpoint
+from glsim.radiosity.result import Radiosity
 from glsim.radiosity.view import look
 from glsim.render.context import own_screen
 from glsim.render.recorder import record
@@ -53,7 +54,7 @@ def radiosity_live(
         "stages": [{"name": name, "blob": tape.blob(_halves(B[shown]))} for name, B in stages.items()],
         "steps": names.index("radiosity") + 1,
         "choices": {name: names.index(name) for name in ("direct", "direct + ambient", "radiosity")},
-        "white": result.shown_white, "gamma": result.gamma, "tone": result.tone,
+        "white": result.shown_white, "gamma": result.gamma, "tone": result.shown_tone,
         "parts": [{"rows": tape.blob(block.rows.tobytes()), "count": len(block.rows)} for block in blocks],
         "stride": blocks[0].rows.itemsize * blocks[0].rows.shape[1], "offset": COLOR,
     }  # fmt: skip

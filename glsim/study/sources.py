@@ -165,8 +165,8 @@ class Solved(Source):
 
     def solved(self, mode: str, samples: int) -> Pixels:
         result = self.result
-        colors = result.colors(result.direct() if mode == "direct" else result.vertex_radiosity)
-        return np.asarray(result.picture(self.width, self.view, colors=colors, samples=samples))
+        B = result.direct() if mode == "direct" else None
+        return np.asarray(result.picture(self.width, self.view, B=B, samples=samples))
 
     def finished(self, pixels: Pixels) -> Pixels:
         return self.values[pixels]

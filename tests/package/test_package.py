@@ -132,7 +132,9 @@ def test_glsim_commands_of_the_readme(command: str, tmp_path: Path) -> None:
     write_starter(exercise("3"), tmp_path / "submissions" / "ann")
     words = shlex.split(command, comments=True)[1:]
     run(sys.executable, "-m", "glsim", *words, cwd=tmp_path, PYTHONPATH=str(ROOT))
-    written = [name for option, name in pairwise(words) if option in ("-o", "--out", "--gif", "--json", "--direct")]
+    written = [
+        name for option, name in pairwise(words) if option in ("-o", "--out", "--gif", "--json", "--direct", "--steps")
+    ]
     if words[0] == "run" and "--out" not in words:
         written.append("frames")
     for name in written:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 collect_ignore_glob = [] if find_spec("numba") and find_spec("embreex") else ["test_*.py"]
 
 
-QUICK = {"test_bad_input.py", "test_patches.py"}
+QUICK = {"test_bad_input.py", "test_files.py", "test_rooms.py", "test_patches.py"}
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

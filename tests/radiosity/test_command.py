@@ -11,10 +11,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from glsim.radiosity.compiled import is_cached
 from glsim.radiosity.pairs import rows
-from tests.radiosity.helpers import ENVIRONMENT
+from glsim.radiosity.scenes import BUILT_IN, BuiltIn
+from tests.radiosity.helpers import ENVIRONMENT, hall
 
 
 def run(words: str) -> int:
@@ -62,8 +64,9 @@ def test_a_camera_around_the_scene(folder: Path, capsys: pytest.CaptureFixture[s
 
 
 @pytest.mark.slow
-def test_several_views(folder: Path) -> None:
-    assert run("museum --patches 300 --size 48 --views all -o a.png -o a.ply --direct d.png") == 0
+def test_several_views(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(BUILT_IN, "hall", BuiltIn("two cameras", hall))
+    assert run("hall --patches 300 --size 48 --views all -o a.png -o a.ply --direct d.png") == 0
     assert sorted(path.name for path in folder.iterdir()) == ["a-0.png", "a-1.png", "a.ply", "d-0.png", "d-1.png"]
     assert Path("a-0.png").read_bytes() != Path("a-1.png").read_bytes()
 
@@ -79,6 +82,10 @@ def test_several_views(folder: Path) -> None:
         ("goral --json r.txt", "--json r.txt: the report's name must end in .json"),
         ("goral --patches 30 --views 0,4 -o a.png", "goral has 1 view, numbered from 0; there is no 4"),
         ("goral --patches 30 --method hierarchical --solver lu", "no matrix for this solver: choose cg or jacobi"),
+        (
+            "goral --camera balcony",
+            "goral has no camera named 'balcony'; its cameras have no names; numbers are X,Y,Z/X",
+        ),
         ("goral --method hierarchical --adaptive", "hierarchical radiosity neither needs --adaptive"),
     ],
 )
@@ -141,3 +148,42 @@ def test_the_command_interrupted(
     assert "what is done is in a.unfinished.npz; the same command goes on with it" in told
     assert run("goral --patches 60 -o a.png") == 0
     assert [path.name for path in folder.iterdir()] == ["a.png"]
+
+
+@pytest.mark.parametrize(
+    ("camera", "sentence"),
+    [
+        ("0,0,0/0,0,0", "the eye and the point at which it looks are the same, 0,0,0"),
+        ("0,0,0/0,0,1/180", "the angle from bottom to top is 1 to 170 degrees, not 180"),
+        ("0,0,0/0,0", "3 numbers are needed, not '0,0'"),
+        ("0,0,0/0,0,1/5/6", "an eye, a point to look at and an angle are X,Y,Z/X,Y,Z/DEGREES"),
+    ],
+)
+def test_cameras_that_are_none(camera: str, sentence: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        run(f"goral --camera {camera} --patches 30 -o a.png")
+    assert sentence in " ".join(capsys.readouterr().err.split())
+    assert not list(folder.iterdir())
+
+
+def test_a_camera_of_numbers(folder: Path) -> None:
+    """The same as the scene's own, and another one."""
+    assert run("goral --patches 30 --size 48 -o a.png") == 0
+    assert run("goral --patches 30 --size 48 --camera 0.5,0.5,2.6/0.5,0.5,0.5/32 -o b.png") == 0
+    assert run("goral --patches 30 --size 48 --camera -0.2,0.5,2.6/0.5,0.5,0.5/32 -o c.png") == 0
+    a, b, c = (np.asarray(Image.open(f"{name}.png")) for name in "abc")
+    assert (a == b).all()
+    assert (a != c).any()
+
+
+def test_a_lamp_by_name(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The exitance of the scene is replaced; twice as much light is twice the radiosity."""
+    for number, words in enumerate(("--emit lamp=1", "--emit lamp=2,2,0")):
+        assert run(f"goral --patches 30 {words} -o {number}.npz") == 0
+    one, two = (np.load(f"{number}.npz")["B"] for number in (0, 1))
+    np.testing.assert_allclose(two, one * (2, 2, 0), rtol=1e-4)
+    assert run("goral --emit Lamp=1 -o a.npz") == 1
+    assert "goral has no material named Lamp; it has blue, lamp, red, white" in capsys.readouterr().err
+    for wrong in ("lamp", "lamp=x", "lamp=1,2", "lamp=-1"):
+        with pytest.raises(SystemExit):
+            run(f"goral --emit {wrong} -o a.npz")

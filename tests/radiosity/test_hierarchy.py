@@ -23,6 +23,7 @@ from glsim.radiosity.scenes import BUILT_IN
 from glsim.radiosity.solvers import solved
 from glsim.radiosity.subdivide import subdivide
 from glsim.radiosity.tree import Tree, tree_of, tree_over
+from tests.radiosity.helpers import hall
 
 
 def scene(name: str) -> Scene:
@@ -157,19 +158,19 @@ def test_hierarchical_from_end_to_end() -> None:
 
 
 def test_a_tree_has_about_as_many_elements_as_asked() -> None:
-    assert len(tree_of(scene("museum"), 20000).leaves) == pytest.approx(20000, rel=0.35)
+    assert len(tree_of(hall().checked(), 20000).leaves) == pytest.approx(20000, rel=0.35)
 
 
 @pytest.mark.slow
 def test_what_is_hidden_in_part_stays() -> None:
-    """The tops of the museum's pedestals, in the middle of which something stands, whatever the size of patches."""
-    room = scene("museum")
+    """The top of a crate, in the middle of which a cone stands, whatever the size of patches."""
+    room = hall().checked()
     tree = tree_of(room, 5000)
     for found in (tree.nodes, subdivide(room, 400), subdivide(room, 1500)):
         roots = found.level == 0
-        top = roots & (np.abs(found.center[:, 1] - 1.0) < 1e-6) & (found.normal[:, 1] > 0.9)
-        here = top & (np.abs(found.center[:, [0, 2]] - (2.0, 3.0)).max(axis=1) < 0.46)
-        assert found.area[here].sum() == pytest.approx(0.81, rel=1e-6)
+        top = roots & (np.abs(found.center[:, 1] - 1.5) < 1e-6) & (found.normal[:, 1] > 0.9)
+        here = top & (found.center[:, 0] < 5.0)
+        assert found.area[here].sum() == pytest.approx(2.0 * 2.2, rel=1e-6)
 
 
 # ---------------------------------------------------------------- smaller patches where it matters

@@ -62,9 +62,10 @@ def test_no_t_vertices() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", BUILT_IN)
+@pytest.mark.parametrize("name", [name for name in BUILT_IN if name not in ("museum", "factory")])
 def test_built_in_scenes(name: str) -> None:
-    """Nothing is odd about them: fronts look inwards, all rooms but the plates are closed."""
+    """Nothing is odd about them: fronts look inwards, all rooms but the plates are closed.  (For the larger rooms see
+    test_rooms.py.)"""
     scene = BUILT_IN[name].make().checked()
     parts = subdivide(scene, 300)
     sums = compute(parts).row_sums

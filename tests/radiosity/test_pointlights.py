@@ -12,9 +12,11 @@ from glsim import radiosity
 from glsim.cli import main
 from glsim.radiosity.pointlights import ambient_of, lamps_of
 from glsim.radiosity.scene import Builder, Material, Scene, View, box, quad
+from glsim.radiosity.scenes import BUILT_IN, BuiltIn
 from glsim.radiosity.subdivide import subdivide
 from glsim.scenes import Camera
 from glsim.study.compare import compare
+from tests.radiosity.helpers import hall
 
 
 def lamp_over_floor() -> Scene:
@@ -94,9 +96,10 @@ def test_ambient_in_a_furnace() -> None:
     assert ambient_of(result) == pytest.approx(1.0, rel=1e-3)
 
 
-def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(BUILT_IN, "hall", BuiltIn("two cameras", hall))
     out = tmp_path / "two.png"
-    words = ["compare", "museum", "--modes", "gouraud,radiosity", "--size", "64", "--patches", "300", "--view", "1"]
+    words = ["compare", "hall", "--modes", "gouraud,radiosity", "--size", "64", "--patches", "300", "--view", "1"]
     assert main([*words, "-o", str(out), "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert [row["mode"] for row in told["differences"]] == ["gouraud", "radiosity"]

@@ -11,9 +11,11 @@ import pytest
 from PIL import Image
 
 from glsim import radiosity
+from glsim.radiosity.gather import averaged
 from glsim.radiosity.hierarchy import linked
 from glsim.radiosity.scene import Builder, Material, SceneError, box, quad
 from glsim.radiosity.tree import tree_of
+from glsim.radiosity.watch import save_steps, watched
 from glsim.scenes import Camera
 from tests.radiosity.helpers import mesh_area
 
@@ -47,6 +49,43 @@ def test_arrays_in_a_file(small: radiosity.Radiosity, tmp_path: Path) -> None:
         assert stored["triangles"].shape == (len(stored["triangle_patch"]), 3, 3)
         assert stored["B"].shape == stored["E"].shape == stored["rho"].shape == stored["normal"].shape
         assert stored["area"].sum() == pytest.approx(mesh_area(stored["triangles"]), rel=1e-9)
+
+
+def test_pictures_of_iterations(small: radiosity.Radiosity, tmp_path: Path) -> None:
+    """Of Jacobi's iteration 0 shows the lamp alone, 1 no light on the ceiling, the last one the solution; all textures
+    apart, a vertex has the mean of the patches around it."""
+    pictures = watched(small, "jacobi", 64)
+    assert [picture.caption.split(",")[:2] for picture in pictures[:3]] == [
+        ["jacobi", f" bounces: {k}"] for k in range(3)
+    ]
+    means = [picture.pixels.mean() for picture in pictures]
+    assert means == sorted(means)
+    assert (pictures[0].pixels.max(axis=2) > 0).mean() < 0.05
+    ceiling = [int(picture.pixels[6, 12:26].max()) for picture in pictures]
+    assert ceiling[1] == 0
+    assert ceiling[2] > 40
+    solution = small.picture(64, B=averaged(small.patches, small.mesh, small.B))
+    apart = np.abs(np.asarray(solution).astype(int) - pictures[-1].pixels)
+    assert apart.mean() < 1.0
+    assert apart.max() <= 8
+    shots = watched(small, "shooting", 32)
+    assert len(shots) == 8
+    save_steps(small, tmp_path / "s.gif", "shooting", 32)
+    save_steps(small, tmp_path / "s.png", "jacobi", 32)
+    with Image.open(tmp_path / "s.gif") as moving:
+        assert moving.n_frames == 8
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["s.gif", "s.png"]
+
+
+def test_the_row_has_a_scale(small: radiosity.Radiosity) -> None:
+    """Beside the scene: white on top, black below; the patch is orange."""
+    picture = np.asarray(small.row_picture(5, 200)).astype(int)
+    assert picture.shape == (44 + 200 + 12, 200 + 108, 3)
+    assert picture[44 + 1, 200 + 20].min() > 250
+    assert picture[44 + 197, 200 + 20].max() < 10
+    orange = (np.abs(picture - (255, 128, 0)) < 3).all(axis=2)
+    assert orange[44:, :200].sum() > 20
+    assert not orange[:44].any()
 
 
 def test_another_ending_is_refused(small: radiosity.Radiosity, tmp_path: Path) -> None:
@@ -181,3 +220,16 @@ def test_the_matrix_has_labels_and_a_scale(small: radiosity.Radiosity) -> None:
     assert picture[52 + 1, 64 + 200 + 20].min() > 250  # the scale: white on top, black below
     assert picture[52 + 197, 64 + 200 + 20].max() < 10
     assert (picture[20:52, 64:264] < 100).all(axis=2).any()  # numbers of columns
+
+
+def test_the_automatic_camera_is_where_light_is() -> None:
+    """A room with solid walls is seen from inside, one of sheets from outside; the picture is not black."""
+    for solid in (False, True):
+        b = Builder("room")
+        b.add(box((0, 0, 0), (4, 3, 5), inside=True), Material("wall", (0.5,) * 3))
+        b.add(box((-0.2, -0.2, -0.2), (4.2, 3.2, 5.2)) if solid else [], Material("brick", (0.5,) * 3))
+        b.add([quad((1, 2.99, 1), (3, 2.99, 1), (3, 2.99, 3), (1, 2.99, 3))], Material("lamp", (0.0,) * 3, (5.0,) * 3))
+        result = radiosity.solve(b.scene(), 200)
+        inside = (np.abs(np.subtract(result.view(0).eye, (2, 1.5, 2.5))) < (2, 1.5, 2.5)).all()
+        assert inside == solid
+        assert (np.asarray(result.picture(64)) > 20).mean() > 0.2
