@@ -96,6 +96,16 @@ def test_digits_choose_the_picture(site: dict[str, Path], browser: Browser) -> N
     assert browser.js("return document.querySelector('glsim-live').look.frame") == 3
 
 
+def test_a_change_stays_unless_the_next_picture_sets_the_value_itself(site: dict[str, Path], browser: Browser) -> None:
+    browser.open(site["gouraud"])
+    position = """const live = document.querySelectorAll('glsim-live')[arguments[0]];
+      live.set('light.0.position', [0.3, 0, 1, 1]);
+      live.choose(2);
+      return live.scene.value('light.0.position');"""
+    assert browser.js(position, 0) == [0.3, 0, 1, 1]  # cut finer, under the same lamp
+    assert browser.js(position, 1) == pytest.approx([0.075, 0, 1, 1])  # the picture of another lamp
+
+
 def test_paper_and_readers_without_javascript_get_the_still_picture(site: dict[str, Path], browser: Browser) -> None:
     browser.open(site["gouraud"])
     scrolled_to(browser, 0)
