@@ -68,6 +68,7 @@ glsim.compare(
     differences="off",
     title="Which line comes first?",
     columns="first",
+    live="camera",
 )
 
 # %% [markdown]
@@ -206,6 +207,7 @@ glsim.compare(
     samples=4,
     differences="off",
     title="The camera walks round, the light's numbers stay",
+    live="camera",
 )
 
 # %% [markdown]

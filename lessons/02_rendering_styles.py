@@ -69,6 +69,7 @@ glsim.compare(
     samples=4,
     differences="off",
     title="Where is up?",
+    live="camera",
 )
 
 # %% [markdown]
@@ -195,6 +196,7 @@ glsim.compare(
     differences="off",
     title="One teapot, six styles",
     layout="projector",
+    live="camera",
 )
 
 # %% [markdown]

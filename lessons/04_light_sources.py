@@ -152,6 +152,7 @@ glsim.compare(
     samples=4,
     differences="off",
     title="Three kinds of light",
+    live="lights.position, lights.spot",
 )
 
 # %% [markdown]

@@ -75,6 +75,7 @@ glsim.compare(
     samples=4,
     differences="off",
     title="Walking round a ball",
+    live="camera",
 )
 
 # %% [markdown]
@@ -143,6 +144,7 @@ glsim.compare(
     size=240,
     samples=4,
     differences="off",
+    live="lights.position, materials.specular, materials.shininess",
     title="From diffuse to specular",
 )
 

@@ -105,7 +105,12 @@ def ball():
     glutSolidSphere(0.8, 60, 60)
 
 
-glsim.vectors(ball, 300, 170)
+glsim.show(
+    ball,
+    still=glsim.vectors(ball, 300, 170),
+    point=(300, 170),
+    controls="lights.position, lights.diffuse, materials.diffuse",
+)
 
 # %% [markdown]
 # ## Try this

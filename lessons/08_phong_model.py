@@ -69,6 +69,7 @@ glsim.compare(
     size=320,
     samples=4,
     differences="off",
+    live="camera",
 )
 
 # %% [markdown]
@@ -105,6 +106,7 @@ glsim.compare(
     size=300,
     samples=4,
     differences="off",
+    live="lights.position, materials.shininess",
 )
 
 # %% [markdown]
@@ -112,7 +114,12 @@ glsim.compare(
 # changes.
 
 # %% The vectors at a pixel below the highlight: R misses V by phi = 39 degrees, and 0.78 to the power of 30 is 0.0005
-glsim.vectors(scene, 165, 265)
+glsim.show(
+    scene,
+    still=glsim.vectors(scene, 165, 265),
+    point=(165, 265),
+    controls="lights.position, materials.specular, materials.shininess",
+)
 
 # %% [markdown]
 # The model is empirical: no law of physics has a power of a cosine in it. It became popular because it is cheap, and

@@ -115,7 +115,12 @@ def teapot():
     glutSolidTeapot(0.55)
 
 
-glsim.vectors(teapot, 200, 290)
+glsim.show(
+    teapot,
+    still=glsim.vectors(teapot, 200, 290),
+    point=(200, 290),
+    controls="lights.position",
+)
 
 # %% [markdown]
 # > **The slide says** "all vectors are unit length!" and is right to shout. Which of them is it for? The mirror direction

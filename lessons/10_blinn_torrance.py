@@ -48,6 +48,7 @@ glsim.compare(
     size=420,
     samples=4,
     differences="off",
+    live="lights.position, materials.shininess",
 )
 
 # %% [markdown]

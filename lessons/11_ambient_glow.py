@@ -44,6 +44,7 @@ glsim.compare(
     size=380,
     samples=4,
     differences="off",
+    live="ambient, lights.position, materials.ambient",
 )
 
 # %% [markdown]

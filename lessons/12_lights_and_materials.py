@@ -104,6 +104,7 @@ glsim.compare(
     size=320,
     samples=4,
     differences="off",
+    live="lights.diffuse, lights.specular, materials.diffuse, materials.specular",
 )
 
 # %% Materials are little tables of k_a, k_d, k_s and n: metals have a coloured k_s, plastics a white one
@@ -116,6 +117,7 @@ glsim.compare(
     camera="30,20,3.8",
     size=260,
     samples=4,
+    live="lights.position, materials",
 )
 
 # %% [markdown]

@@ -21,8 +21,7 @@ from glsim.gl import *
 from glsim.glut import glutSolidSphere
 
 
-def begin(width, height):
-    screen = glsim.offscreen(width, height, samples=4)
+def begin():
     glClearColor(0.3, 0.31, 0.34, 1)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
     glEnable(GL_DEPTH_TEST)
@@ -34,10 +33,10 @@ def begin(width, height):
     glMatrixMode(GL_MODELVIEW)
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, [0, 0, 0, 1])
     glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, [0.9, 0.45, 0.1, 1])
-    return screen
 
 
-screen = begin(840, 210)
+screen = glsim.offscreen(840, 210, samples=4)
+begin()
 glLightfv(GL_LIGHT0, GL_POSITION, [-1, 1, 1.5, 0])
 for column, I_L in enumerate((0.5, 1, 2, 4)):
     glViewport(210 * column, 0, 210, 210)
@@ -105,23 +104,32 @@ Image.fromarray((255 * np.concatenate(pair, axis=1)).astype(np.uint8)).reduce(2)
 # %% An open bowl, and a closed ball: no light where N.L < 0; the normal flipped; two-sided lighting with a blue back
 from glsim.glu import gluNewQuadric, gluSphere
 
-screen = begin(840, 560)
-glLightModelfv(GL_LIGHT_MODEL_AMBIENT, [0.5, 0.5, 0.5, 1])
-glMaterialfv(GL_BACK, GL_DIFFUSE, [0.1, 0.4, 0.8, 1])
-bowl = gluNewQuadric()
+
+def begin_glowing():
+    begin()
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, [0.5, 0.5, 0.5, 1])
+    glMaterialfv(GL_BACK, GL_DIFFUSE, [0.1, 0.4, 0.8, 1])
+
+
+def bowl():
+    glLightfv(GL_LIGHT0, GL_POSITION, [0.4, 0.7, 1, 0])
+    glClipPlane(GL_CLIP_PLANE0, [-0.25, -0.55, -0.8, 0.1])
+    glEnable(GL_CLIP_PLANE0)
+    gluSphere(gluNewQuadric(), 0.85, 48, 32)
+    glDisable(GL_CLIP_PLANE0)
+
+
+screen = glsim.offscreen(840, 560, samples=4)
+begin_glowing()
 for column in range(3):
     flip = GL_FLIP_NORMAL_GLSIM if column == 1 else GL_CLAMP_NORMAL_GLSIM
     glLightModeli(GL_LIGHT_MODEL_BACK_LIGHTING_GLSIM, flip)
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, column == 2)
     glViewport(280 * column, 280, 280, 280)
-    glLightfv(GL_LIGHT0, GL_POSITION, [0.4, 0.7, 1, 0])
-    glClipPlane(GL_CLIP_PLANE0, [-0.25, -0.55, -0.8, 0.1])
-    glEnable(GL_CLIP_PLANE0)
-    gluSphere(bowl, 0.85, 48, 32)
-    glDisable(GL_CLIP_PLANE0)
+    bowl()
     glViewport(280 * column, 0, 280, 280)
     glLightfv(GL_LIGHT0, GL_POSITION, [1, 0.3, 0.2, 0])
-    gluSphere(bowl, 0.85, 48, 32)
+    gluSphere(gluNewQuadric(), 0.85, 48, 32)
 screen
 
 # %% [markdown]
@@ -130,18 +138,39 @@ screen
 # OpenGL offers, **two-sided lighting** (`GL_LIGHT_MODEL_TWO_SIDE`): back faces, as seen by the *eye*, get $-\mathbf{N}$ and a
 # material of their own. A closed ball has no visible back faces, and keeps its night.
 
+
+# %% The bowl, to turn until its inside is seen, under a lamp to drag: clamp, flip, two sides
+def bowl_alone():
+    begin_glowing()
+    bowl()
+
+
+glsim.compare(
+    bowl_alone,
+    modes="phong:clamp,phong:flip,phong:two-sided",
+    lobes="blinn",
+    size=280,
+    samples=4,
+    differences="off",
+    live="lights.position",
+)
+
 # %%
 glsim.source("shaders/light.glsl", "float side = FLIP_NORMAL", lines=3)
 
+
 # %% Many lights: red, green and blue from three sides. Two make yellow, cyan or magenta, all three make grey
-screen = begin(420, 420)
-glMaterialfv(GL_FRONT, GL_DIFFUSE, [0.9, 0.9, 0.9, 1])
-for k, (x, y) in enumerate(((-1, -0.6), (1, -0.6), (0, 1.15))):
-    glEnable(GL_LIGHT0 + k)
-    glLightfv(GL_LIGHT0 + k, GL_POSITION, [x, y, 1.4, 0])
-    glLightfv(GL_LIGHT0 + k, GL_DIFFUSE, [k == 0, k == 1, k == 2, 1])
-glutSolidSphere(0.85, 64, 48)
-screen
+def three_lights():
+    begin()
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, [0.9, 0.9, 0.9, 1])
+    for k, (x, y) in enumerate(((-1, -0.6), (1, -0.6), (0, 1.15))):
+        glEnable(GL_LIGHT0 + k)
+        glLightfv(GL_LIGHT0 + k, GL_POSITION, [x, y, 1.4, 0])
+        glLightfv(GL_LIGHT0 + k, GL_DIFFUSE, [k == 0, k == 1, k == 2, 1])
+    glutSolidSphere(0.85, 64, 48)
+
+
+glsim.show(three_lights, size=420, controls="lights.position, lights.diffuse")
 
 # %% [markdown]
 # ## Try this

@@ -63,6 +63,7 @@ glsim.compare(
     size=340,
     samples=4,
     differences="off",
+    live="edges, lights.position",
 )
 
 # %% [markdown]

@@ -73,6 +73,7 @@ glsim.compare(
     columns="cuts",
     size=230,
     differences="off",
+    live="edges, lights.position, materials.shininess",
 )
 
 # %% [markdown]
@@ -116,6 +117,7 @@ glsim.compare(
     columns="lamp",
     size=300,
     differences="off",
+    live="edges, lights.position",
 )
 
 # %% [markdown]

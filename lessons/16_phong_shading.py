@@ -130,10 +130,16 @@ glsim.compare(
     size=280,
     samples=4,
     differences="off",
+    live="edges, lights.position, materials.shininess",
 )
 
 # %% The interpolated normal at a pixel inside a quad: at no vertex is there such an N
-glsim.vectors(lit_ball, 330, 190)
+glsim.show(
+    lit_ball,
+    still=glsim.vectors(lit_ball, 330, 190),
+    point=(330, 190),
+    controls="edges, lights.position",
+)
 
 # %% [markdown]
 # ## Normals may lie
@@ -169,6 +175,7 @@ glsim.compare(
     size=280,
     samples=4,
     differences="off",
+    live="edges, lights.position",
 )
 
 # %% [markdown]

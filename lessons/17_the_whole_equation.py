@@ -34,7 +34,12 @@ with glsim.capture(calls=True) as frame:
     glOrtho(-1, 1, -1, 1, -1, 1)
     glMatrixMode(GL_MODELVIEW)
     glutSolidSphere(0.8, 64, 48)
-glsim.vectors(frame, 180, 165)
+glsim.show(
+    frame,
+    still=glsim.vectors(frame, 180, 165),
+    point=(180, 165),
+    controls="lights.position, materials.diffuse, materials.shininess",
+)
 
 # %% [markdown]
 # ## Predict
@@ -125,6 +130,7 @@ glsim.compare(
     size=280,
     samples=4,
     differences="off",
+    live="edges, lights.position",
 )
 
 # %% [markdown]

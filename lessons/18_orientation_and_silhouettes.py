@@ -88,6 +88,7 @@ glsim.compare(
     size=300,
     samples=4,
     differences="off",
+    live="edges, lights.position",
 )
 
 # %% Only the outline counts here: the same spheres without light

@@ -110,6 +110,7 @@ glsim.compare(
     size=420,
     samples=4,
     differences="off",
+    live="camera",
 )
 
 # %% [markdown]
@@ -136,6 +137,7 @@ glsim.compare(
     size=290,
     samples=4,
     differences="off",
+    live="camera, edges",
 )
 
 # %% [markdown]

@@ -116,6 +116,7 @@ glsim.compare(
     samples=4,
     differences="off",
     title="the large square is a fan around its vertex number",
+    live="edges, lights.position",
 )
 
 # %% [markdown]

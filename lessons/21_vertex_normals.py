@@ -165,6 +165,7 @@ glsim.compare(
     samples=4,
     differences="off",
     title="crease angle (degrees)",
+    live="edges, lights.position",
 )
 
 # %% [markdown]

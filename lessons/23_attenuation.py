@@ -76,12 +76,53 @@ plots.attenuation()
 # Why do programs cheat? An eye sees brightness ratios, a film is exposed for the mean, a screen clamps at 1. A lamp with
 # a pure $1/d^2$ is overexposed near by before it lights the corners. $1 / (1 + d^2)$ at least does not grow without end.
 
+# %% The three laws on a floor: drag the lamp, and try laws of your own
+from glsim.glu import gluLookAt, gluPerspective
+
+
+def row(law):
+    glClearColor(0.02, 0.02, 0.03, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
+        glEnable(capability)
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, [1, 0.9, 0.75, 1])
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    gluPerspective(42, 1, 0.5, 30)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    gluLookAt(-1.5, 3.5, 6, 2.6, -0.3, 0, 0, 1, 0)
+    glLightfv(GL_LIGHT0, GL_POSITION, [0, 0.5, 0, 1])
+    for k, name in enumerate(("CONSTANT", "LINEAR", "QUADRATIC")):
+        glLightf(GL_LIGHT0, globals()[f"GL_{name}_ATTENUATION"], k == law)
+    glNormal3f(0, 1, 0)
+    glBegin(GL_QUADS)
+    for x, z in ((-8, 5), (12, 5), (12, -10), (-8, -10)):
+        glVertex3f(x, -0.42, z)
+    glEnd()
+    for x in range(1, 6):
+        glPushMatrix()
+        glTranslatef(x, 0, 0)
+        glutSolidSphere(0.42, 48, 32)
+        glPopMatrix()
+
+
+glsim.compare(
+    row,
+    sweep={"law": [0, 1, 2]},
+    modes="phong",
+    columns="law",
+    captions={"0": "constant", "1": "linear", "2": "quadratic"},
+    size=300,
+    samples=4,
+    differences="off",
+    live="lights.position, lights.attenuation",
+)
+
 # %% A **spot** is confined by a cone as well: cos to the power of the exponent inside, 0 outside
 plots.spot()
 
 # %% The same lamp as a spot above a floor, with exponents 0, 8 and 60
-from glsim.glu import gluLookAt, gluPerspective
-
 screen = glsim.offscreen(840, 260, samples=4)
 glClearColor(0.02, 0.02, 0.03, 1)
 glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)

@@ -58,6 +58,9 @@ tiles("", [pictures("jacobi", (0, 1, 2, 3, 8))], 320)
 #
 # $$ B_i^{(k+1)} = E_i + \rho_i \Big( \sum_{j<i} F_{ij} B_j^{(k+1)} + \sum_{j>i} F_{ij} B_j^{(k)} \Big) $$
 
+# %% The light bounce by bounce, to step through and to walk round
+glsim.show(box)
+
 # %% [markdown]
 # **Shooting** turns it round. The patch that has the most power not yet sent, $A_i\, \Delta B_i$, sends it to all others
 # at once:

@@ -65,6 +65,9 @@ glsim.source("radiosity/result.py", "return self.at_vertices(self.patches.E)")
 share = box.direct().sum(axis=1) / np.maximum(box.vertex_radiosity.sum(axis=1), 1e-9)
 box.picture(480, colors=np.repeat(np.clip(share, 0, 1)[:, None], 3, axis=1))
 
+# %% Direct light, direct light with an ambient glow, and radiosity, bounce by bounce: turn the box, change the exposure
+glsim.show(box)
+
 # %% [markdown]
 # Under the lamp most of the light is direct. On the ceiling and in the shadows none is: there the picture is made of
 # bounces alone.

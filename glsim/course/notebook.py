@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from glsim.course.cells import Cell, Lesson, folded
-from glsim.course.outputs import Output, awaited
+from glsim.course.outputs import LIVE, Output, awaited
 
+LARGEST_PAGE = 1 << 20  # letters of a live figure; a larger one is a still picture in notebooks
 INSTALL = Cell("code", "%pip install -q 'glsim[course]'", "", 0)
 
 
@@ -36,5 +37,12 @@ def _cell(cell: Cell, output: Output, number: int) -> dict[str, Any]:
     if output.printed:
         outputs.append({"output_type": "stream", "name": "stdout", "text": output.printed})
     if output.shown:
-        outputs.append({"output_type": "execute_result", "data": output.shown, "metadata": {}, "execution_count": None})
+        data = _data(output)
+        outputs.append({"output_type": "execute_result", "data": data, "metadata": {}, "execution_count": None})
     return {"cell_type": "code", **common, "execution_count": None, "outputs": outputs}
+
+
+def _data(output: Output) -> dict[str, str]:
+    """What a notebook shows: of a live figure the page, in a frame, if it is not too large."""
+    large = LIVE in output.shown and len(output.shown["text/html"]) > LARGEST_PAGE
+    return {kind: text for kind, text in output.shown.items() if kind != LIVE and not (large and kind == "text/html")}

@@ -18,7 +18,9 @@ from glsim.files import write_bytes
 from glsim.machine.current import current_again
 
 # The kinds of content that Jupyter asks an object for, and the method that answers.  The first that is there is shown.
+LIVE = "application/vnd.glsim.live"  # an element of web/live.py, without its code
 SHOWN = {
+    LIVE: "_repr_live_",
     "text/html": "_repr_html_",
     "image/svg+xml": "_repr_svg_",
     "image/png": "_repr_png_",

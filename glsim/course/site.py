@@ -10,11 +10,13 @@ from string import Template
 
 from glsim.course.cells import PREDICTION, Cell, Lesson, folded
 from glsim.course.markdown import html, mathml
-from glsim.course.outputs import FILE_ENDINGS, Output, awaited, write_figures
+from glsim.course.outputs import FILE_ENDINGS, LIVE, Output, awaited, write_figures
 from glsim.course.source import highlighted
 from glsim.files import write_bytes, write_text
+from glsim.web.live import program
 
 TEMPLATES = Path(__file__).parent / "assets"
+PLAYER = '<script src="assets/live.js" defer></script>\n'  # on pages with live figures
 ASSETS = ("course.css", "course.js", "STIXTwoMath.woff2", "STIXTwoMath-LICENSE.txt")
 UNTOLD = '<span class="untold" aria-hidden="true">?</span>'  # for a lesson whose only picture is its prediction's
 
@@ -35,6 +37,7 @@ def write_site(folder: Path, pages: Sequence[Page]) -> list[Path]:
     (folder / "assets").mkdir(parents=True, exist_ok=True)
     for name in ASSETS:
         write_bytes(folder / "assets" / name, (TEMPLATES / name).read_bytes())
+    write_text(folder / "assets" / "live.js", program())
     written = []
     for number, page in enumerate(pages):
         write_figures(folder / "figures", page.lesson, page.outputs)
@@ -77,9 +80,14 @@ def _lesson(page: Page, all_: Sequence[Lesson], before: Lesson | None, after: Le
         for word, other in (("prev", before), ("next", after))
         if other
     )
-    around = f'<footer><nav aria-label="Lessons">{around}</nav></footer>\n'
+    around = f'<footer><nav aria-label="Lessons">{around}</nav></footer>\n{_player(page)}'
     contents = f'<details class="contents"><summary>Contents</summary><ol>{links}</ol></details>'
     return _filled(lesson.title, "lesson", contents, "".join(sections), around)
+
+
+def _player(page: Page) -> str:
+    """The code of live figures, if there is one."""
+    return PLAYER if any(LIVE in output.shown for output in page.outputs) else ""
 
 
 def _filled(title: str, kind: str, contents: str, body: str, around: str) -> str:
@@ -115,6 +123,8 @@ def _section(page: Page, number: int, picture: str, untold: bool) -> str:
 def _figure(lesson: Lesson, cell: Cell, output: Output, picture: str) -> str:
     """What a cell shows: a live element, a picture in a file of its own, a formula or text."""
     caption = f"<figcaption>{_plain(cell.title)}</figcaption>" if cell.title else ""
+    if LIVE in output.shown:
+        return f'<figure class="live">{output.shown[LIVE]}{caption}</figure>'
     if "text/html" in output.shown:
         content = output.shown["text/html"]
         return content if content.startswith("<figure") else f'<figure class="live">{content}{caption}</figure>'

@@ -11,6 +11,8 @@ from glsim.scenes.staging import Camera, Lamp, camera_of, lamp_of
 from glsim.study.axes import animation
 from glsim.study.comparison import Comparison as Comparison
 from glsim.study.given import Given, are_given, pictures_of
+from glsim.study.live import controls_of
+from glsim.study.live_sheet import live_sheet
 from glsim.study.looks import OUTLINES, RADIOSITY, truest
 from glsim.study.plan import Plan, lobes_of, looks_of, planned
 from glsim.study.sheet import LAYOUTS
@@ -42,6 +44,7 @@ def compare(
     lights: Sequence[Lamp | str] | None = None,
     material: str | None = None,
     camera: Camera | str | None = None,
+    live: str | Sequence[str] | None = None,
     animate: str | None = None,
     frames: int = 36,
     patches: int = 1000,
@@ -77,6 +80,8 @@ def compare(
     size: of each picture, in pixels (default 512, or as a program asks).
     samples: multisampling, 0 for none, None for what suits: 4, or 0 where exact pixels are compared.
     lights, material, camera: instead of the scene's own; not for programs and functions, which set their own.
+    live: controls of a live picture, as in glsim.show: "camera", "lights.position, materials.shininess".  Then a
+        browser shows one picture to turn, with modes, lobes and values to choose from; paper shows the sheet.
     animate: "turntable", "light" (once around the scene) or NAME=VALUES; ``frames`` pictures, for ``save("x.gif")``.
     timeout: seconds that a program may run.  progress: called with what is being done.
 
@@ -96,18 +101,24 @@ def compare(
     finish = _finish(plan, reference, differences, layout, captions or {})
     if animate is not None:
         animation(animate, frames, Camera())  # raises before any work
+    controls = None if live is None else controls_of(live)
     native = any(one.mode == "native" for one in looks.values())
     wanted = Wanted(
         size, None if lights is None else [lamp_of(one) if isinstance(one, str) else one for one in lights],
-        material, camera_of(camera) if isinstance(camera, str) else camera, patches, view, timeout, native,
+        material, camera_of(camera) if isinstance(camera, str) else camera, patches, view, timeout,
+        native or controls is not None,
     )  # fmt: skip
     source = Source() if what is None else source_of(what, wanted, room, tell)
     samples = (0 if native or given else 4) if samples is None else samples
-    with Studio(source, given, samples, backend, wanted.calls) as studio:
+    with Studio(source, given, samples, backend, native) as studio:
         cells = studio.cells(plan.rows, plan.columns, plan.start, tell)
         name = title or source.title or ", ".join(given)
         result = Comparison(name, plan.columns, plan.rows, cells, note=source.note, remarks=tuple(studio.remarks),
                             legend=plan.legend, **finish)  # fmt: skip
+        if controls is not None:
+            tell("recording")
+            drawn = live_sheet(plan, source, name, controls, samples, backend, finish["captions"])
+            result = replace(result, live=drawn)
         if animate is not None:
             result = replace(result, film=_film(result, plan, studio, animate, frames, tell))
     return result

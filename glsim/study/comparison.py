@@ -23,6 +23,8 @@ from glsim.study.studio import Cell, Key, Pixels
 if TYPE_CHECKING:
     from PIL import Image
 
+    from glsim.study.shown import Shown
+    from glsim.web.live import Live
     from glsim.web.page import Strip
 
 FACTORS = (1, 2, 4, 8, 16, 32, 64)  # as the page offers them
@@ -39,7 +41,7 @@ class Comparison:
     layout: of the sheet, see sheet.LAYOUTS.
     captions: name of a column or row -> words for it.  legend: the illumination equation.  note: what went wrong,
     though there are pictures.  remarks: sentences about what is shown otherwise than it was given.
-    film: sheets of an animation.
+    film: sheets of an animation.  live: the same as a live picture, None if it was not asked for.
     """
 
     title: str
@@ -55,6 +57,7 @@ class Comparison:
     note: str = ""
     remarks: tuple[str, ...] = ()
     film: Sequence[Image.Image] = ()
+    live: Live | None = None
 
     def __repr__(self) -> str:
         height, width = next(iter(self.images.values())).shape[:2]
@@ -223,6 +226,16 @@ class Comparison:
         return buffer.getvalue()
 
     def _repr_html_(self) -> str:
+        if self.live is not None:
+            return self._shown(self.live)._repr_html_()
         from glsim.web.page import element
 
         return "\n".join(element(strip) for strip in self.strips())
+
+    def _repr_live_(self) -> str | None:
+        return None if self.live is None else self._shown(self.live)._repr_live_()
+
+    def _shown(self, live: Live) -> Shown:
+        from glsim.study.shown import Shown
+
+        return Shown(live, self.sheet)

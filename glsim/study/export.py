@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ from glsim.files import write_text
 from glsim.machine.frame import Frame
 from glsim.play.frames import frame_of, frames_of_program
 from glsim.study.live import CONTROLS, live_of
+from glsim.study.shown import Shown
 from glsim.study.sources import is_radiosity
 from glsim.web import live as web
 from glsim.web.live import Live
@@ -20,8 +22,8 @@ MOST_FRAMES = 240
 
 def live(
     what: Any, *, modes: Sequence[str] | None = None, lobes: Sequence[str] | None = None,
-    controls: Sequence[str] = CONTROLS, frames: int = 1, size: int | None = None, samples: int = 4, patches: int = 2000,
-    view: int = 0, title: str | None = None, timeout: float | None = 60.0,
+    controls: str | Sequence[str] = CONTROLS, frames: int = 1, size: int | None = None, samples: int = 4,
+    patches: int = 2000, view: int = 0, title: str | None = None, timeout: float | None = 60.0,
     progress: Callable[[str], object] | None = None,
 ) -> Live:  # fmt: skip
     """What is drawn, as a picture that a browser can turn, light and shade anew.
@@ -29,7 +31,8 @@ def live(
     what: a Frame, a list of Frames (an animation), a function that draws, a scene or its name, a mesh file, a program
         (.py); or a radiosity.Scene, its name, or a solution (radiosity.Radiosity), whose light is shown step by step.
     modes, lobes: "flat", "gouraud", "phong"; "blinn", "phong" (default: all).  controls: some of "mode", "lobe",
-        "edges", "lights", "materials", "ambient" (default: all).
+        "edges", "lights", "materials", "ambient" (default: all), or single values, such as "lights.position",
+        "lights.spot", "lights.attenuation", "materials.shininess"; "camera": nothing but the camera.
     frames: how many pictures of a program, 1 to 240, for a scrubber.  size: pixels of the picture (default: 512, or as
         a program asks).  samples: multisampling, 0 for none.  patches, view: of radiosity, how many and which camera.
     title: a line (default: the name of what is drawn).  timeout: seconds that a program may run.
@@ -97,22 +100,12 @@ def export(what: Any, path: str | os.PathLike[str], **options: Any) -> Live:
     return made
 
 
-class Shown:
-    """A live picture in a notebook: an iframe that needs no server and no network."""
+def show(what: Any, *, still: Any = None, point: tuple[int, int] | None = None, **options: Any) -> Shown:
+    """A live picture as the last expression of a cell, in a notebook or a lesson.
 
-    def __init__(self, made: Live) -> None:
-        self.live = made
+    still: the picture that paper shows instead (default: the live picture as it is first seen).  point: pixel, from the
+    upper left, at which the vectors N, L, V and R or H are shown first.  Other options: those of ``live``.
 
-    def _repr_html_(self) -> str:
-        return web.frame(self.live)
-
-    def __repr__(self) -> str:
-        return f"<live picture of {self.live.title}: {len(self.live.tape.pictures)} pictures>"
-
-
-def show(what: Any, **options: Any) -> Shown:
-    """A live picture for a notebook, as the last expression of a cell.  Options: those of ``live``.
-
-    glsim.show("teapot", modes=["phong"])
+        glsim.show("teapot", modes=["phong"], controls="lights.position")
     """
-    return Shown(live(what, **options))
+    return Shown(replace(live(what, **options), point=point), still)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import base64
 from bisect import bisect_left
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -21,6 +21,7 @@ from glsim.machine.assembly import corners, outlines
 from glsim.machine.frame import Call, Draw, Frame, Packet, Pixels
 from glsim.machine.matrix import Matrix
 from glsim.machine.state import TRACKED, Depth, Fog, Light, Lighting, Material, Polygon, Texturing
+from glsim.names import did_you_mean
 from glsim.play.reshade import LOBE, SHADE_MODEL, shaded
 from glsim.render import uniforms
 from glsim.render.batch import Object, assembled
@@ -31,6 +32,7 @@ from glsim.web.live import Live
 
 MODES, LOBES = tuple(SHADE_MODEL), tuple(LOBE)
 CONTROLS = ("mode", "lobe", "edges", "lights", "materials", "ambient")
+CAMERA = "camera"  # the control that is always there
 AS_DRAWN = "as drawn"  # the mode of what is not lit, or lit under several shade models
 NEARER = 0.9999  # the far end of the depth range of edges: so they are seen on the surfaces they bound
 FACE = ("ambient", "diffuse", "specular", "emission", "shininess")
@@ -42,59 +44,92 @@ PACKAGE = Path(__file__).resolve().parents[1]
 IDENTITY: NDArray[np.float64] = np.eye(4)
 
 
+Shading = Callable[[Frame, str], Frame]  # a frame as it is shaded with a lobe
+
+
 def live_of(
     frames: Mapping[str, Frame], title: str, *, modes: Sequence[str] | None = None, lobes: Sequence[str] | None = None,
-    controls: Sequence[str] = CONTROLS, samples: int = 4,
+    controls: str | Sequence[str] = CONTROLS, samples: int = 4,
 ) -> Live:  # fmt: skip
     """Frames of one size as a live picture; the first one is shown first.
 
     frames: by the words that the scrubber shows.  If their calls were recorded (``calls=True``), lights keep the values
     that the program gave them, and the camera is known.
     modes, lobes: "flat", "gouraud", "phong"; "blinn", "phong"; by default all, first the program's own.
-    controls: some of CONTROLS.  samples: multisampling, 0 for none.
+    controls: as in ``controls_of``.  samples: multisampling, 0 for none.
 
     Raises ValueError for an unknown mode, lobe or control.
     """
-    for kind, known, names in (("mode", MODES, modes), ("lobe", LOBES, lobes), ("control", CONTROLS, controls)):
+    for kind, known, names in (("mode", MODES, modes), ("lobe", LOBES, lobes)):
         for name in names or ():
             if name not in known:
                 raise ValueError(f"a live picture has the {kind}s {', '.join(known)}, not {name!r}")
-    general = {name: _general(frame) for name, frame in frames.items()}
-    first = next(iter(general.values()))
-    own = _looks(first)
+    own = _looks(next(iter(frames.values())))
     chosen, rows = list(modes or MODES), list(lobes or LOBES)
     if not own:
         chosen, rows = [AS_DRAWN], rows[:1]
     elif len(own) > 1 and modes is None:
         chosen.insert(0, AS_DRAWN)
     mode, lobe = own[0] if len(own) == 1 else (AS_DRAWN, rows[0])
-    mode, lobe = mode if mode in chosen else chosen[0], lobe if lobe in rows else rows[0]
-    pictures = dict(_pictures(general, chosen, rows, "edges" in controls))
-    numbers = {name: number for number, name in enumerate(pictures)}
-    for number in range(len(general)) if AS_DRAWN in chosen else ():
-        numbers |= {f"{number} {AS_DRAWN} {row}": numbers[f"{number} {AS_DRAWN} {rows[0]}"] for row in rows}
+    first = mode if mode in chosen else chosen[0], lobe if lobe in rows else rows[0]
+    wanted = controls_of(controls)
+    shadings = {name: _shading(name) for name in (chosen if "mode" in wanted else first[:1])}
+    return shaded_live(frames, title, shadings, rows if "lobe" in wanted else first[1:], first, wanted, samples)
+
+
+def shaded_live(
+    frames: Mapping[str, Frame], title: str, shadings: Mapping[str, Shading], lobes: Sequence[str],
+    first: tuple[str, str], controls: Sequence[str], samples: int,
+) -> Live:  # fmt: skip
+    """Frames by name, each in all shadings with all lobes, as a live picture.
+
+    first: the shading and lobe that are shown first."""
+    general = {name: _general(frame) for name, frame in frames.items()}
+    pictures: dict[str, Frame] = {}
+    numbers: dict[str, int] = {}
+    for number, frame in enumerate(general.values()):
+        for mode, of in shadings.items():
+            for lobe in lobes:
+                name = f"{number} {mode} {lobes[0] if mode == AS_DRAWN else lobe}"  # which has its own
+                pictures.setdefault(name, of(frame, lobe))
+                numbers[f"{number} {mode} {lobe}"] = [*pictures].index(name)
+        if "edges" in controls and (drawn := _edges(frame)).packets:
+            numbers[f"{number} edges"] = len(pictures)
+            pictures[f"{number} edges"] = drawn
+    start = next(iter(general.values()))
+    poster = _poster(shadings[first[0]](next(iter(frames.values())), first[1]), samples)
     return Live(
-        title, record(pictures, samples), _poster(frames[next(iter(frames))], mode, lobe, samples), numbers,
-        [_moment(frame) for frame in general.values()], chosen, rows, mode, lobe, list(frames), list(controls),
-        _named() if "materials" in controls else [], _notes(first),
+        title, record(pictures, samples), poster, numbers, [_moment(frame) for frame in general.values()],
+        [*shadings], [*lobes], *first, list(frames), list(controls), _named() if "materials" in controls else [],
+        _notes(start),
     )  # fmt: skip
 
 
-def _pictures(
-    frames: Mapping[str, Frame], modes: Sequence[str], lobes: Sequence[str], edges: bool
-) -> Iterator[tuple[str, Frame]]:
-    for number, frame in enumerate(frames.values()):
-        for mode in modes:
-            for lobe in lobes[:1] if mode == AS_DRAWN else lobes:
-                yield f"{number} {mode} {lobe}", frame if mode == AS_DRAWN else shaded(frame, mode, lobe)
-        if edges and (drawn := _edges(frame)).packets:
-            yield f"{number} edges", drawn
+def controls_of(given: str | Sequence[str]) -> list[str]:
+    """Names of controls: some of CONTROLS; "camera", which is always there; or single values of lights and materials,
+    such as "lights.position", "lights.spot", "lights.attenuation" or "materials.shininess".
+
+    given: the names, or one text with commas.  Raises ValueError for an unknown one."""
+    parts = {"lights": (*LIGHT, "position", "spot_direction"), "materials": FACE}
+    names = [name.strip() for name in (given.split(",") if isinstance(given, str) else given)]
+    for name in names:
+        kind, _, part = name.partition(".")
+        if name not in (*CONTROLS, CAMERA) and not (part and any(part in one for one in parts.get(kind, ()))):
+            raise ValueError(
+                f"controls of a live picture are {', '.join((*CONTROLS, CAMERA))}, or values such as lights.position"
+                f" and materials.shininess, not {name!r}{did_you_mean(name, CONTROLS)}"
+            )
+    return [name for name in names if name != CAMERA]
 
 
-def _poster(frame: Frame, mode: str, lobe: str, samples: int) -> NDArray[np.uint8]:
+def _shading(mode: str) -> Shading:
+    return lambda frame, lobe: frame if mode == AS_DRAWN else shaded(frame, mode, lobe)
+
+
+def _poster(frame: Frame, samples: int) -> NDArray[np.uint8]:
     """The still picture: (height, width, 3) uint8."""
     with own_screen(frame.width, frame.height, samples=samples) as screen:
-        screen.execute((frame if mode == AS_DRAWN else shaded(frame, mode, lobe)).packets)
+        screen.execute(frame.packets)
         return np.ascontiguousarray(screen.pixels()[..., :3])
 
 

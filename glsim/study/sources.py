@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Mapping, Sequence
+from copy import copy
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -57,6 +58,10 @@ class Source:
     def finished(self, pixels: Pixels) -> Pixels:
         return pixels
 
+    def of_size(self, size: int) -> Source:
+        """The same, ``size`` pixels wide and high, if it can be drawn at any size."""
+        return self
+
 
 class Drawn(Source):
     """What a function draws.  The function takes the arguments that it has parameters for."""
@@ -81,6 +86,11 @@ class Drawn(Source):
 
     def forget(self) -> None:
         self.frames.clear()
+
+    def of_size(self, size: int) -> Source:
+        other = copy(self)
+        other.width, other.height, other.frames = size, size, {}
+        return other
 
     def drawing(self, arguments: Mapping[str, Any]) -> Callable[[], object]:
         for name in arguments:
@@ -132,8 +142,6 @@ class Still(Source):
     def frame(self, arguments: Arguments, screen: Offscreen, calls: bool) -> Frame:
         if arguments:
             raise ValueError(f"compare: {self.title} sets its own {arguments[0][0]}; only scenes are swept by it")
-        if calls and not self.whole.calls:
-            raise ValueError("compare: native needs the calls of a Frame: glsim.capture(calls=True)")
         return self.whole
 
 

@@ -90,6 +90,10 @@ class Studio:
             cells |= {key: Cell(self.source.finished(picture)) for key, picture in zip(physical, drawn, strict=True)}
         return cells
 
+    def frame(self, setting: Setting) -> Frame:
+        """The frame of a setting before it is shaded."""
+        return self._frame(setting)[0]
+
     def _frame(self, setting: Setting) -> tuple[Frame, list[Change]]:
         """The frame of a setting before it is shaded, and what was changed in it."""
         frame = self.source.frame(setting.arguments, self.screen, self.calls)
@@ -115,6 +119,8 @@ class Studio:
 
 def native(frame: Frame, changes: list[Change]) -> Pixels:
     """The calls of a Frame, with its changes, replayed on the driver's fixed function."""
+    if not frame.calls:
+        raise ValueError("compare: native needs the calls of a Frame: glsim.capture(calls=True)")
     from glsim.render.native import Native
 
     lacking = _tests_without_buffer(frame)

@@ -10,7 +10,7 @@
  *   parts: {rows: number, count: number}[], stride: number, offset: number}} Radiosity  steps: how many
  *   stages are steps of the solution, which is the last; rows: a blob of vertices whose colours, at offset, are the
  *   tone-mapped radiosity; a stage has the vertices of all parts, one after the other
- * @typedef {{title: string, modes: string[], lobes: string[], frames: string[], mode: string, lobe: string,
+ * @typedef {{title: string, width: number, height: number, point: [number, number]?, apart: boolean, modes: string[], lobes: string[], frames: string[], mode: string, lobe: string,
  *   pictures: Record<string, number>, moments: Moment[], layout: Layout, controls: string[], named: Named[], notes: string[],
  *   radiosity: Radiosity?}} Data  pictures: "frame mode lobe" -> number on the tape; "frame edges": the polygons' edges
  */
@@ -21,7 +21,8 @@ import { pick, vectors } from "./pick.js";
 import { literal, lines } from "./source.js";
 import { Overlay } from "./overlay.js";
 import { turning } from "./turning.js";
-import { Panel, choices, element } from "./panel.js";
+import { Panel, button, choices, element, slider, wants } from "./panel.js";
+import { foremost, unwatch, watch } from "./awake.js";
 import { colours } from "./radiosity.js";
 
 /** @param {string} text  base64 */
@@ -35,113 +36,145 @@ async function inflated(text) {
 const bytesOf = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
 
 export class Live extends HTMLElement {
-  /** Resolves when the first picture is shown. @type {Promise<void>?} */
+  /** Resolves when the picture is shown. @type {Promise<void>?} */
   ready = null;
+  /** @type {Tape?} */ tape = null;
+  /** @type {Record<string, import("./tape.js").Plan>?} */ plans = null;
+  /** Draws, as long as the element is near the screen. @type {Player?} */ player = null;
   /** @type {Promise<void>?} */ waiting = null;
   /** @type {import("./pick.js").Point?} */ point = null;
+  /** @type {object?} */ #waking = null;
 
   connectedCallback() {
-    if (this.querySelector("script")) this.ready ??= this.#read().catch((error) => this.#fail(error));
+    try {
+      if (!this.data && this.querySelector("script")) this.#build(this.#script("application/json"));
+      if (this.data) watch(this);
+    } catch (error) {
+      this.#fail(/** @type {Error} */ (error));
+    }
   }
 
-  /** The still picture stays, with a sentence.  @param {Error} error */
+  disconnectedCallback() {
+    unwatch(this);
+  }
+
+  /** Show something else than what stands in the page.  @param {string} json  of Data @param {Uint8Array} bytes  of the tape */
+  load(json, bytes) {
+    this.sleep();
+    this.tape = new Tape(bytes);
+    this.plans = null;
+    this.#build(json);
+    watch(this);
+  }
+
+  /** The still picture, with a sentence.  @param {Error} error */
   #fail(error) {
+    unwatch(this);
     this.dataset.state = "failed";
     this.shadowRoot?.replaceChildren(element("slot"));
     this.append(element("p", { className: "live-note", textContent: error.message }));
   }
 
-  /** What stands in the page. */
-  async #read() {
-    const script = (/** @type {string} */ kind) => this.querySelector(`script[type="${kind}"]`)?.textContent ?? "";
-    await this.load(script("application/json"), await inflated(script("application/x-glsim-tape")));
-    this.querySelector("figure")?.setAttribute("hidden", "");
+  wake() {
+    this.ready = this.#wake().catch((error) => this.#fail(error));
   }
 
-  /** Show something, or something else.  @param {string} json  of Data @param {Uint8Array} bytes  of the tape */
-  async load(json, bytes) {
-    /** @type {Data} */ const data = JSON.parse(json, (key, value) => (key === "row" ? bytesOf(value) : value));
+  async #wake() {
+    const waking = (this.#waking = {}), first = !this.plans;
     this.dataset.state = "compiling";
-    this.player?.release();
-    this.data = data;
-    const tape = this.tape = new Tape(bytes);
-    this.plans = Object.fromEntries(Object.entries(data.pictures).map(([name, number]) => [name, planned(tape, number)]));
-    this.look = { frame: 0, mode: data.mode, lobe: data.lobe, edges: false, stage: (data.radiosity?.steps ?? 1) - 1, exposure: 1 };
-    this.scene = new Scene(data.moments[0], data.layout);
-    this.#build();
-    this.#restore();
-    this.#tell();
-    await this.#prepare();
-    this.draw();
-    this.dataset.state = "ready";
-  }
-
-  // ------------------------------------------------------------ what is seen
-
-  #build() {
-    const { data } = this, tape = /** @type {Tape} */ (this.tape), root = this.shadowRoot ?? this.attachShadow({ mode: "open" });
-    const style = new CSSStyleSheet();
-    style.replaceSync(LIVE_CSS);
-    root.adoptedStyleSheets = [style];
-    const canvas = /** @type {HTMLCanvasElement} */ (element("canvas", { className: "picture" }));
-    const over = /** @type {HTMLCanvasElement} */ (element("canvas", { className: "over" }));
-    this.stage = element("div", { className: "stage", tabIndex: 0, role: "application",
-      ariaLabel: `${data?.title}: arrow keys turn the camera, plus and minus bring it nearer, 0 puts it back` }, canvas, over,
-      element("p", { className: "state", textContent: "compiling the shaders …" }));
-    this.style.setProperty("--width", `${tape.width}px`);
-    this.stage.style.aspectRatio = `${tape.width} / ${tape.height}`;
+    this.tape ??= new Tape(await inflated(this.#script("application/x-glsim-tape")));
+    if (this.#waking !== waking) return;
+    const { tape } = this, canvas = /** @type {HTMLCanvasElement} */ (element("canvas", { className: "picture" }));
+    this.plans ??= Object.fromEntries(Object.entries(/** @type {Data} */ (this.data).pictures).map(([name, number]) => [name, planned(tape, number)]));
     this.player = new Player(canvas, tape);
     this.player.oncontext = (lost) => {
       this.dataset.state = lost ? "lost" : "ready";
       if (!lost) this.draw();
     };
-    this.overlay = new Overlay(over, tape.width, tape.height);
-    turning(this.stage, tape.width, this.#doing());
+    await this.#prepare();
+    if (this.#waking !== waking) return;
+    this.draw();
+    this.picture?.replaceWith(canvas);
+    this.picture = canvas;
+    this.dataset.state = "ready";
+    if (first && this.data?.point) this.ask(...this.data.point);
+  }
+
+  /** Give the context back; a copy of the picture stays. */
+  sleep() {
+    const { player, picture } = this;
+    this.#waking = this.player = null;
+    this.dataset.state = "asleep";
+    if (!player) return;
+    if (picture === player.canvas) {
+      const copy = /** @type {HTMLCanvasElement} */ (element("canvas", { className: "picture", width: picture.width, height: picture.height }));
+      copy.getContext("2d")?.drawImage(picture, 0, 0);
+      picture.replaceWith(copy);
+      this.picture = copy;
+    }
+    player.release();
+  }
+
+  /** The text of a child.  @param {string} kind */
+  #script(kind) {
+    return this.querySelector(`script[type="${kind}"]`)?.textContent ?? "";
+  }
+
+  // ------------------------------------------------------------ what is seen
+
+  /** @param {string} json  of Data */
+  #build(json) {
+    /** @type {Data} */ const data = JSON.parse(json, (key, value) => (key === "row" ? bytesOf(value) : value));
+    this.data = data;
+    this.look = { frame: 0, mode: data.mode, lobe: data.lobe, edges: false, stage: (data.radiosity?.steps ?? 1) - 1, exposure: 1 };
+    this.scene = new Scene(data.moments[0], data.layout);
+    this.point = null;
+    const root = this.shadowRoot ?? this.attachShadow({ mode: "open" }), style = new CSSStyleSheet();
+    style.replaceSync(LIVE_CSS);
+    root.adoptedStyleSheets = [style];
+    this.picture = /** @type {HTMLCanvasElement} */ (element("canvas", { className: "picture" }));
+    const over = /** @type {HTMLCanvasElement} */ (element("canvas", { className: "over" }));
+    this.stage = element("div", { className: "stage", tabIndex: 0, role: "application",
+      ariaLabel: `${data.title}: arrow keys turn the camera, plus and minus bring it nearer, 0 puts it back` }, this.picture, over,
+      element("p", { className: "state", textContent: "compiling the shaders …" }));
+    this.style.setProperty("--width", `${data.width}px`);
+    this.stage.style.aspectRatio = `${data.width} / ${data.height}`;
+    this.overlay = new Overlay(over, data.width, data.height);
+    turning(this.stage, data.width, this.#doing());
     new ResizeObserver(() => this.draw()).observe(this.stage);
     this.gaps = element("ul", { className: "gaps" });
     root.replaceChildren(element("div", { className: "live" }, element("div", { className: "left" }, this.stage, this.gaps),
       element("div", { className: "panel" }, ...this.#controls())), element("slot"));
+    this.#restore();
+    this.#tell();
   }
 
   #controls() {
-    const data = /** @type {Data} */ (this.data), wants = (/** @type {string} */ name) => data.controls.includes(name);
-    const look = /** @type {NonNullable<typeof this.look>} */ (this.look), parts = [];
+    const data = /** @type {Data} */ (this.data), { controls } = data, parts = [];
+    const look = /** @type {NonNullable<typeof this.look>} */ (this.look);
     const choose = (/** @type {"mode" | "lobe"} */ axis) => (/** @type {string} */ name) => ((look[axis] = name), this.change());
     /** @type {Record<string, HTMLElement>} */ this.choices = {};
-    if (wants("mode") && data.modes.length > 1) this.choices.mode = choices("shade model", data.modes, choose("mode"));
-    if (wants("lobe") && data.lobes.length > 1) this.choices.lobe = choices("specular lobe", data.lobes, choose("lobe"), LOBE_NAMES);
+    const apart = data.apart && data.frames.join("").length <= SHORT;
+    if (data.frames.length > 1 && apart)
+      this.choices.frame = choices("picture", data.frames, (name) => this.#frame(data.frames.indexOf(name)));
+    if (controls.includes("mode") && data.modes.length > 1) this.choices.mode = choices("shade model", data.modes, choose("mode"));
+    if (controls.includes("lobe") && data.lobes.length > 1) this.choices.lobe = choices("specular lobe", data.lobes, choose("lobe"), LOBE_NAMES);
     parts.push(...Object.values(this.choices));
     if (data.radiosity) parts.push(...this.#radiosity(data.radiosity));
-    if (data.frames.length > 1) parts.push(this.#scrubber("picture", data.frames, 0, (number) => this.#frame(number)));
-    if (wants("edges") && "0 edges" in data.pictures) parts.push(this.#edges(look));
-    this.panel = new Panel(/** @type {Scene} */ (this.scene), { set: (name, value) => this.set(name, value) }, data.controls, data.named);
+    if (data.frames.length > 1 && !apart) parts.push(this.#scrubber("picture", data.frames, 0, (number) => this.#frame(number)));
+    if (controls.includes("edges") && "0 edges" in data.pictures) parts.push(this.#edges(look));
+    this.panel = new Panel(/** @type {Scene} */ (this.scene), { set: (name, value) => this.set(name, value) }, controls, data.named);
     this.source = element("pre", { className: "source", tabIndex: 0 });
-    this.changes = element("div", { className: "changes" }, this.source, this.#button("Copy", () => this.#copy(this.source?.textContent ?? "")),
-      this.#button("Link", () => this.#copy(this.link())), this.#button("Reset", () => this.reset()));
-    return [...parts, ...this.panel.groups, this.changes,
+    this.changes = element("div", { className: "changes" }, this.source, button("Copy", () => this.#copy(this.source?.textContent ?? "")),
+      button("Link", () => this.#copy(this.link())), button("Reset", () => this.reset()));
+    return [...parts, this.panel.element, this.changes,
       element("p", { className: "help", textContent: "Drag: turn. Shift or two fingers: move. Wheel or pinch: nearer."
         + (data.moments[0].lights.length ? " Click: N, L, V there." : "") })];
   }
 
   /** @param {string} title @param {string[]} names @param {number} first @param {(number: number) => void} choose */
   #scrubber(title, names, first, choose) {
-    return this.#slider(title, 0, names.length - 1, 1, first, (number) => names[number], choose);
-  }
-
-  /** @param {string} title @param {number} min @param {number} max @param {number} step @param {number} first
-   * @param {(value: number) => string} words @param {(value: number) => void} choose */
-  #slider(title, min, max, step, first, words, choose) {
-    const output = element("output", { textContent: words(first) });
-    const input = /** @type {HTMLInputElement} */ (element("input", { type: "range", min, max, step, value: first, ariaLabel: title }));
-    input.addEventListener("input", () => {
-      output.textContent = words(+input.value);
-      choose(+input.value);
-    });
-    input.addEventListener("put", (event) => { // by something else than a hand
-      input.value = String(/** @type {CustomEvent} */ (event).detail);
-      output.textContent = words(+input.value);
-    });
-    return element("label", { className: "row" }, `${title} `, output, input);
+    return slider(title, 0, names.length - 1, 1, first, (number) => names[number], choose);
   }
 
   /** @param {{edges: boolean}} look */
@@ -149,13 +182,6 @@ export class Live extends HTMLElement {
     const input = this.edges = /** @type {HTMLInputElement} */ (element("input", { type: "checkbox" }));
     input.addEventListener("input", () => ((look.edges = input.checked), this.change()));
     return element("label", { className: "row" }, input, " edges of polygons");
-  }
-
-  /** @param {string} title @param {() => void} act */
-  #button(title, act) {
-    const button = element("button", { type: "button", textContent: title });
-    button.addEventListener("click", act);
-    return button;
   }
 
   /** @param {string} text */
@@ -167,7 +193,7 @@ export class Live extends HTMLElement {
   #radiosity({ stages, steps, choices: stagesByName }) {
     const look = /** @type {NonNullable<typeof this.look>} */ (this.look), names = stages.slice(0, steps).map(({ name }) => name);
     const scrubber = this.#scrubber("light", names, steps - 1, (number) => this.show({ stage: number }));
-    const exposure = this.#slider("exposure", -3, 3, 0.05, 0, (value) => literal(2 ** value), (value) => this.show({ exposure: 2 ** value }));
+    const exposure = slider("exposure", -3, 3, 0.05, 0, (value) => literal(2 ** value), (value) => this.show({ exposure: 2 ** value }));
     const group = (this.choices ??= {}).light = choices("light", Object.keys(stagesByName), (name) => {
       look.stage = stagesByName[name];
       scrubber.querySelector("input")?.dispatchEvent(new CustomEvent("put", { detail: look.stage }));
@@ -180,12 +206,12 @@ export class Live extends HTMLElement {
 
   /** @returns {import("./turning.js").Doing} */
   #doing() {
-    const scene = /** @type {Scene} */ (this.scene), tape = /** @type {Tape} */ (this.tape), overlay = /** @type {Overlay} */ (this.overlay);
-    const { orbit } = scene, lit = () => this.data?.controls.includes("lights");
+    const scene = /** @type {Scene} */ (this.scene), data = /** @type {Data} */ (this.data), overlay = /** @type {Overlay} */ (this.overlay);
+    const { orbit } = scene, lit = () => wants(data.controls, "lights.position");
     let held = -1;
     const pixel = () => { // of eye space at the centre's distance
       const { camera } = scene.moment, projection = scene.projection, z = projection[15] === 0 ? camera.centre[2] : 1;
-      return (2 * Math.abs(z)) / (projection[0] * tape.width);
+      return (2 * Math.abs(z)) / (projection[0] * data.width);
     };
     return {
       grab: (x, y) => {
@@ -198,8 +224,8 @@ export class Live extends HTMLElement {
         if (place) this.set(`light.${held}.position`, scene.lightValueAt(held, place).map((/** @type {number} */ value) => Number(value.toFixed(3))));
       },
       turn: (dx, dy) => {
-        orbit.yaw = (orbit.yaw + (180 * dx) / tape.width) % 360;
-        orbit.pitch = Math.max(-180, Math.min(180, orbit.pitch + (180 * dy) / tape.width));
+        orbit.yaw = (orbit.yaw + (180 * dx) / data.width) % 360;
+        orbit.pitch = Math.max(-180, Math.min(180, orbit.pitch + (180 * dy) / data.width));
         this.turned();
       },
       move: (dx, dy) => ((orbit.x += dx * pixel()), (orbit.y -= dy * pixel()), this.turned()),
@@ -207,6 +233,13 @@ export class Live extends HTMLElement {
       click: (x, y) => this.ask(x, y),
       reset: () => (Object.assign(orbit, RESTING), this.turned()),
     };
+  }
+
+  /** Press a button of the first choice: of the picture, the mode or the lobe.  @param {number} number  1 for the first */
+  choose(number) {
+    const button = /** @type {HTMLButtonElement | undefined} */ (Object.values(this.choices ?? {})[0]?.children[number - 1]);
+    button?.click();
+    return Boolean(button);
   }
 
   /** Change a value, by its name in Scene.changed; undefined gives it back.
@@ -238,8 +271,8 @@ export class Live extends HTMLElement {
   #frame(number) {
     if (!this.look || !this.scene || !this.data) return;
     this.look.frame = number;
-    this.scene.moment = this.data.moments[number];
-    this.scene.version++;
+    this.scene.show(this.data.moments[number]);
+    this.panel?.build();
     this.point = null;
     this.change();
   }
@@ -280,7 +313,7 @@ export class Live extends HTMLElement {
 
   #plan() {
     const { frame, mode, lobe } = /** @type {NonNullable<typeof this.look>} */ (this.look);
-    return /** @type {Record<string, import("./tape.js").Plan>} */ (this.plans)[`${frame} ${mode} ${lobe}`];
+    return /** @type {NonNullable<typeof this.plans>} */ (this.plans)[`${frame} ${mode} ${lobe}`];
   }
 
   #shown() {
@@ -300,7 +333,7 @@ export class Live extends HTMLElement {
     player.draw(...this.#shown());
     const light = scene.moment.lights.length ? scene.lightPosition(0) : null;
     const arrows = this.point && light ? vectors(this.point, light, scene.moment.localViewer, look.lobe === "phong") : [];
-    overlay.draw(scene, { point: this.point, arrows, handles: data.controls.includes("lights") });
+    overlay.draw(scene, { point: this.point, arrows, handles: wants(data.controls, "lights.position") });
     const notes = [...data.notes.filter((note) => scene.turned.some((value, k) => value !== +(k % 5 === 0)) || !note.startsWith("Turned: ")), ...player.gaps];
     this.gaps?.replaceChildren(...notes.map((note) => element("li", { textContent: note })));
   }
@@ -311,7 +344,7 @@ export class Live extends HTMLElement {
     if (!scene || !look || !data || !this.source) return;
     this.panel?.update();
     const light = Object.entries(data.radiosity?.choices ?? {}).find(([, stage]) => stage === look.stage)?.[0];
-    const pressed = /** @type {Record<string, string | undefined>} */ ({ mode: look.mode, lobe: look.lobe, light });
+    const pressed = /** @type {Record<string, string | undefined>} */ ({ frame: data.frames[look.frame], mode: look.mode, lobe: look.lobe, light });
     for (const [axis, group] of Object.entries(this.choices ?? {}))
       for (const button of group.children)
         button.ariaPressed = String(/** @type {HTMLElement} */ (button).dataset.name === pressed[axis]);
@@ -341,10 +374,11 @@ export class Live extends HTMLElement {
     try {
       const { l, o, c } = JSON.parse(decodeURIComponent(found[2]));
       if (`${l.frame} ${l.mode} ${l.lobe}` in this.data.pictures) Object.assign(this.look, l);
+      this.scene.show(this.data.moments[this.look.frame]);
       Object.assign(this.scene.orbit, o);
       for (const [name, value] of Object.entries(c)) if (this.scene.value(name) !== undefined) this.scene.set(name, value);
-      this.scene.moment = this.data.moments[this.look.frame];
-      this.scene.version++;
+      this.panel?.build();
+      this.scrollIntoView({ block: "center" });
     } catch {
       // a link that was cut off: the picture as it was drawn
     }
@@ -353,5 +387,14 @@ export class Live extends HTMLElement {
 
 /** @type {Record<string, string>} */
 const LOBE_NAMES = { blinn: "(N·H)ⁿ", phong: "(R·V)ⁿ" };
+const SHORT = 80; // letters: names of pictures that are buttons
 
-if (!customElements.get("glsim-live")) customElements.define("glsim-live", Live);
+if (!customElements.get("glsim-live")) {
+  customElements.define("glsim-live", Live);
+  document.addEventListener("keydown", (event) => {
+    const inside = /** @type {Element} */ (event.composedPath()[0]), other = event.altKey || event.ctrlKey || event.metaKey;
+    if (other || event.defaultPrevented || inside.matches("input:not([type=range]), select, textarea")) return;
+    const chosen = event.target instanceof Live ? event.target : /** @type {Live?} */ (foremost());
+    if (chosen?.choose(+event.key)) event.preventDefault();
+  });
+}

@@ -26,7 +26,7 @@ from glsim.web.modules import PLAYER, joined
 
 MODULES = (
     *PLAYER, "matrix.js", "scene.js", "pick.js", "source.js", "overlay.js", "turning.js", "panel.js", "radiosity.js",
-    "live.js",
+    "awake.js", "live.js",
 )  # fmt: skip
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 NARROW = "max-width: 100%; height: auto"
@@ -36,12 +36,16 @@ NARROW = "max-width: 100%; height: auto"
 class Live:
     """What an element shows.
 
-    title: a line.  tape: the pictures.  poster: (height, width, 3) uint8, top row first: the still picture.
+    title: a line.  tape: the pictures.  poster: (height, width, 3) uint8, top row first: the still picture, of any
+    size.
     pictures: "frame mode lobe" -> number on the tape, "frame edges" -> the picture of the polygons' edges.
     moments: for each frame what live.js calls a Moment.  mode, lobe: what is shown first.
-    controls: which there are, of "mode", "lobe", "edges", "lights", "materials", "ambient".
+    controls: which there are, of "mode", "lobe", "edges", "lights", "materials", "ambient", or only some values of
+    lights and materials, such as "lights.position".
     named: materials by name.  error: why the program ended early.  notes: sentences under the picture; those that begin
     with "Turned: " are shown when the camera has been turned.  radiosity: what live.js calls Radiosity.
+    point: pixel, from the upper left, at which the vectors are shown first.  apart: whether the frames are not an
+    animation but pictures with a button each.
     """
 
     title: str
@@ -59,14 +63,17 @@ class Live:
     notes: list[str] = field(default_factory=list)
     error: str = ""
     radiosity: dict[str, Any] | None = None
+    point: tuple[int, int] | None = None
+    apart: bool = False
 
     def data(self) -> dict[str, Any]:
         """What live.js calls Data."""
         names = (
             "title", "pictures", "moments", "modes", "lobes", "mode", "lobe", "frames", "controls", "named", "notes",
-            "radiosity",
+            "radiosity", "point", "apart",
         )  # fmt: skip
-        return {**{name: getattr(self, name) for name in names}, "layout": layout()}
+        values = {name: getattr(self, name) for name in names}
+        return {**values, "width": self.tape.width, "height": self.tape.height, "layout": layout()}
 
 
 def element(live: Live, script: bool = True) -> str:
@@ -117,9 +124,14 @@ def frame(live: Live) -> str:
 
 
 @cache
+def program() -> str:
+    """The element's code as a script, which defines it once however often it is run."""
+    return f'"use strict";\n{{\n{_module(MODULES)}\n}}\n'
+
+
 def code() -> str:
-    """The element's code, which defines it once however often it stands on a page."""
-    return f'<script type="module">\n{_module(MODULES)}</script>'
+    """The element's code as a tag."""
+    return f'<script type="module">\n{program()}</script>'
 
 
 @cache

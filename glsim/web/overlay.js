@@ -94,7 +94,7 @@ export class Overlay {
       pen.lineWidth = +wide * u;
       pen.stroke();
     }
-    this.#word(String(scene.moment.lights[number].number), x + 11 * u, y - 9 * u, "#fff");
+    this.#word(String(scene.moment.lights[number].number), x + 11 * u, Math.max(y - 9 * u, 9 * u), "#fff");
   }
 
   /** @param {{x: number, y: number}} from @param {{x: number, y: number}} to @param {string} name */

@@ -27,63 +27,127 @@ export function choices(title, names, choose, words = {}) {
   return group;
 }
 
+/** A slider with its title and words for its value.  @param {string} title @param {number} min @param {number} max
+ * @param {number} step @param {number} first
+ * @param {(value: number) => string} words @param {(value: number) => void} choose */
+export function slider(title, min, max, step, first, words, choose) {
+  const output = element("output", { textContent: words(first) });
+  const input = /** @type {HTMLInputElement} */ (element("input", { type: "range", min, max, step, value: first, ariaLabel: title }));
+  input.addEventListener("input", () => {
+    output.textContent = words(+input.value);
+    choose(+input.value);
+  });
+  input.addEventListener("put", (event) => { // by something else than a hand
+    input.value = String(/** @type {CustomEvent} */ (event).detail);
+    output.textContent = words(+input.value);
+  });
+  return element("label", { className: "row" }, `${title} `, output, input);
+}
+
+/** @param {string} title @param {() => void} act */
+export function button(title, act) {
+  const made = element("button", { type: "button", textContent: title });
+  made.addEventListener("click", act);
+  return made;
+}
+
 // name -> least, most, step; a slider reaches further where the value does
 const RANGES = {
   shininess: [0, 128, 1], spot_exponent: [0, 128, 1], spot_cutoff: [1, 90, 1], constant_attenuation: [0, 4, 0.01],
   linear_attenuation: [0, 2, 0.01], quadratic_attenuation: [0, 2, 0.01],
 };
 
+const OF_A_LIGHT = ["position", "diffuse", "specular", "ambient"], OF_A_FACE = ["shininess", "ambient", "diffuse", "specular", "emission"];
+const OF_A_PLACE = ["spot_cutoff", "spot_exponent", "spot_direction", "constant_attenuation", "linear_attenuation", "quadratic_attenuation"];
+
+/** Whether controls have a value: "lights.position" is there by that name, or with all of "lights"; "lights.spot" are all
+ * values of the spot.  @param {string[]} controls @param {string} name  such as "lights.spot_cutoff" */
+export function wants(controls, name) {
+  const [kind, part] = name.split(".");
+  return controls.some((control) => control === kind || (control.startsWith(`${kind}.`) && part.includes(control.split(".")[1])));
+}
+
 /** The controls of a scene's values.  All show what the scene says, whoever changed it (``update``). */
 export class Panel {
-  /** @param {Scene} scene @param {Owner} owner @param {string[]} wanted  "lights", "materials", "ambient" @param {Named[]} named */
-  constructor(scene, owner, wanted, named) {
+  /** @param {Scene} scene @param {Owner} owner @param {string[]} controls  "lights", "materials" or some of their values, such
+   * as "lights.position"; "ambient" @param {Named[]} named */
+  constructor(scene, owner, controls, named) {
     this.scene = scene;
     this.owner = owner;
+    this.controls = controls;
+    this.named = named;
+    this.element = element("div", { className: "groups" });
     /** @type {(() => void)[]} */ this.updates = [];
-    this.groups = [];
-    if (wanted.includes("lights")) scene.moment.lights.forEach((_, number) => this.groups.push(this.#light(number)));
-    if (wanted.includes("materials")) scene.moment.materials.forEach((_, number) => this.groups.push(this.#material(number, named)));
-    if (wanted.includes("ambient") && scene.moment.lights.length)
-      this.groups.push(this.#group("Scene", [this.#colour("ambient")]));
+    this.build();
+  }
+
+  /** Make the controls of what the scene's frame has. */
+  build() {
+    const { lights, materials } = this.scene.moment;
+    this.updates = [];
+    this.element.replaceChildren(...lights.map((_, number) => this.#light(number)), ...materials.map((_, number) => this.#material(number)),
+      ...(lights.length && this.controls.includes("ambient") ? [this.#group("Scene", "lights", [this.#colour("ambient")])] : []));
+    this.element.replaceChildren(...[...this.element.children].filter((group) => group.children.length > 1));
   }
 
   update() {
     for (const update of this.updates) update();
   }
 
-  /** @param {string} title @param {Node[]} rows */
-  #group(title, rows) {
-    return element("details", {}, element("summary", { textContent: title }), ...rows);
+  /** Open if only some values of its kind can be changed.  @param {string} title @param {string} kind @param {Node[]} rows */
+  #group(title, kind, rows) {
+    return element("details", { open: !this.controls.includes(kind) }, element("summary", { textContent: title }), ...rows);
+  }
+
+  /** The names that are wanted.  @param {string} kind  "light" or "material" @param {string} path  such as "0" or "0.front" @param {string[]} parts */
+  #wanted(kind, path, parts) {
+    return parts.filter((part) => wants(this.controls, `${kind}s.${part}`)).map((part) => `${kind}.${path}.${part}`);
   }
 
   /** @param {number} number */
   #light(number) {
-    const { values, number: light } = this.scene.moment.lights[number], name = (/** @type {string} */ part) => `light.${number}.${part}`;
-    const placed = /** @type {number[]} */ (values.position)[3] !== 0;
-    const rows = [this.#vector(name("position"), 3), ...["diffuse", "specular", "ambient"].map((part) => this.#colour(name(part)))];
-    if (placed) {
-      rows.push(this.#slider(name("spot_cutoff"), true), this.#slider(name("spot_exponent")), this.#vector(name("spot_direction"), 3));
-      for (const part of ["constant", "linear", "quadratic"]) rows.push(this.#slider(name(`${part}_attenuation`)));
-    }
+    const { values, number: light } = this.scene.moment.lights[number], placed = /** @type {number[]} */ (values.position)[3] !== 0;
+    const names = this.#wanted("light", String(number), placed ? [...OF_A_LIGHT, ...OF_A_PLACE] : OF_A_LIGHT);
     const before = this.scene.moment.lights.slice(0, number).filter((other) => other.number === light).length;
-    return this.#group(`Light ${light}${before ? `, changed ${before === 1 ? "once" : `${before} times`}` : ""}`, rows);
+    const changed = before ? `, changed ${before === 1 ? "once" : `${before} times`}` : "";
+    return this.#group(`Light ${light}${changed}`, "lights", names.map((name) => this.#value(name)));
   }
 
-  /** @param {number} number @param {Named[]} named */
-  #material(number, named) {
-    const { moment } = this.scene, { tracked, both } = moment.materials[number], rows = [];
-    if (named.length) rows.push(this.#named(number, named));
-    for (const face of both ? ["front"] : ["front", "back"]) {
-      rows.push(this.#slider(`material.${number}.${face}.shininess`));
-      for (const part of ["ambient", "diffuse", "specular", "emission"])
-        if (!tracked.includes(part)) rows.push(this.#colour(`material.${number}.${face}.${part}`));
-    }
-    if (tracked.length) rows.push(element("p", { textContent: `${tracked.join(", ")}: as glColor says (glColorMaterial)` }));
-    return this.#group(moment.materials.length > 1 ? `Material ${number + 1}` : "Material", rows);
+  /** @param {number} number */
+  #material(number) {
+    const { moment } = this.scene, { tracked, both } = moment.materials[number], whole = this.controls.includes("materials");
+    const names = (both ? ["front"] : ["front", "back"]).flatMap((face) => this.#wanted("material", `${number}.${face}`, OF_A_FACE))
+      .filter((name) => !tracked.includes(/** @type {string} */ (name.split(".").at(-1))) && this.#alike(name)[0] === name);
+    const rows = names.map((name) => this.#value(name));
+    if (whole && this.named.length) rows.unshift(this.#named(number));
+    if (whole && tracked.length) rows.push(element("p", { textContent: `${tracked.join(", ")}: as glColor says (glColorMaterial)` }));
+    const one = moment.materials.length === 1 || (!whole && names.every((name) => this.#alike(name).length === moment.materials.length));
+    return this.#group(one ? "Material" : `Material ${number + 1}`, "materials", rows);
   }
 
-  /** Materials by name, such as brass.  @param {number} number @param {Named[]} named */
-  #named(number, named) {
+  /** What changes with a value: if only some values of materials can be changed, it in all that have the same.  @param {string} name */
+  #alike(name) {
+    const [kind, , face, part] = name.split("."), materials = /** @type {any[]} */ (this.scene.moment.materials);
+    if (kind !== "material" || this.controls.includes("materials")) return [name];
+    const own = (/** @type {any} */ material) => String(material[face][part]), value = own(materials[+name.split(".")[1]]);
+    return [...materials.keys()].filter((k) => own(materials[k]) === value).map((k) => `material.${k}.${face}.${part}`);
+  }
+
+  /** @param {string} name @param {Value | undefined} value */
+  #set(name, value) {
+    for (const one of this.#alike(name)) this.owner.set(one, value);
+  }
+
+  /** The row of a value, of the kind that suits it.  @param {string} name */
+  #value(name) {
+    const part = /** @type {string} */ (name.split(".").at(-1));
+    if (part in RANGES) return this.#slider(name, part === "spot_cutoff");
+    return part === "position" || part === "spot_direction" ? this.#vector(name, 3) : this.#colour(name);
+  }
+
+  /** Materials by name, such as brass.  @param {number} number */
+  #named(number) {
+    const { named } = this;
     const select = /** @type {HTMLSelectElement} */ (element("select", { ariaLabel: "a named material" },
       element("option", { textContent: "a named material …", value: "" }),
       ...named.map(({ label }) => element("option", { textContent: label, value: label }))));
@@ -99,7 +163,7 @@ export class Panel {
   #row(name, ...inputs) {
     const call = element("code");
     const back = element("button", { type: "button", className: "back", title: "as it was", ariaLabel: "as it was", textContent: "↺" });
-    back.addEventListener("click", () => this.owner.set(name, undefined));
+    back.addEventListener("click", () => this.#set(name, undefined));
     this.updates.push(() => {
       call.textContent = line(this.scene, name);
       back.hidden = !this.scene.changed.has(name);
@@ -111,7 +175,7 @@ export class Panel {
   #slider(name, ends = false) {
     const [least, most, step] = RANGES[/** @type {keyof typeof RANGES} */ (name.split(".").at(-1))];
     const input = this.#input("range", name, { min: least, step, max: ends ? most + step : most });
-    input.addEventListener("input", () => this.owner.set(name, ends && +input.value > most ? 180 : +input.value));
+    input.addEventListener("input", () => this.#set(name, ends && +input.value > most ? 180 : +input.value));
     this.updates.push(() => {
       const value = this.scene.value(name);
       if (!ends) input.max = String(Math.max(+input.max, value));
@@ -129,11 +193,11 @@ export class Panel {
         if (input.value === "" || !Number.isFinite(+input.value)) return;
         const value = [...this.scene.value(name)];
         value[axis] = +input.value;
-        this.owner.set(name, value);
+        this.#set(name, value);
       });
       this.updates.push(() => {
         const text = String(Number(this.scene.value(name)[axis].toFixed(4)));
-        if (+input.value !== +text) input.value = text;
+        if (input.value === "" || +input.value !== +text) input.value = text;
       });
       return input;
     });
@@ -145,7 +209,7 @@ export class Panel {
     const input = this.#input("color", name, {});
     input.addEventListener("input", () => {
       const rgb = [1, 3, 5].map((at) => Number((parseInt(input.value.slice(at, at + 2), 16) / 255).toFixed(3)));
-      this.owner.set(name, [...rgb, ...this.scene.value(name).slice(3)]);
+      this.#set(name, [...rgb, ...this.scene.value(name).slice(3)]);
     });
     this.updates.push(() => {
       const byte = (/** @type {number} */ value) => Math.round(255 * Math.min(1, Math.max(0, value))).toString(16).padStart(2, "0");

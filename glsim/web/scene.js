@@ -58,6 +58,16 @@ export class Scene {
     this.version++;
   }
 
+  /** Show another frame: what it sets to another value than the one before is no longer changed.  @param {Moment} moment */
+  show(moment) {
+    const changed = [...this.changed];
+    this.changed.clear();
+    const before = changed.map(([name]) => String(this.value(name)));
+    this.moment = moment;
+    changed.forEach(([name, value], k) => String(this.value(name)) === before[k] && this.changed.set(name, value));
+    this.version++;
+  }
+
   // ------------------------------------------------------------ the camera
 
   /** What the camera's turning does to eye space: turned about the centre, then moved by x and y.  @returns {Matrix} */

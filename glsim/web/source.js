@@ -68,5 +68,5 @@ export function lines(scene, look, first) {
     if (kind !== "ambient" && !thing) continue; // this frame does not have it
     result.push(line(scene, name) + (thing?.line ? `  # line ${thing.line}` : ""));
   }
-  return result;
+  return [...new Set(result)]; // materials that are changed together have one line
 }

@@ -9,7 +9,8 @@ export function render({ model, el }) {
   const live = /** @type {Live} */ (document.createElement("glsim-live"));
   const put = () => {
     const { buffer, byteOffset, byteLength } = model.get("tape"), orbit = live.scene?.orbit;
-    live.load(model.get("data"), new Uint8Array(buffer, byteOffset, byteLength)).then(() => orbit && live.orbit(orbit));
+    live.load(model.get("data"), new Uint8Array(buffer, byteOffset, byteLength));
+    if (orbit) live.orbit(orbit);
   };
   model.on("change:tape", put);
   el.append(live);

@@ -86,7 +86,7 @@ if (cells.length) {
   };
   start.addEventListener("click", () => toggle(!document.body.classList.contains("showing")));
   document.addEventListener("keydown", (event) => {
-    const inside = event.target instanceof Element && event.target.closest("glsim-compare, input, select, textarea, dialog");
+    const inside = event.target instanceof Element && event.target.closest("glsim-compare, glsim-live, input, select, textarea, dialog");
     if (!document.body.classList.contains("showing") || inside || event.altKey || event.ctrlKey || event.metaKey) return;
     const steps = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 };
     if (event.key in steps) show(current + steps[event.key]);
