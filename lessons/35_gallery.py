@@ -45,7 +45,7 @@ tiles("", [[(f"camera {k}", np.asarray(hall.picture(460, k))) for k in (0, 1)]],
 # is called **baking**; Gouraud's interpolation does the rest.
 
 # %%
-glsim.source("radiosity/view.py", "glEnableClientState(gl.GL_VERTEX_ARRAY)", lines=6)
+glsim.source("radiosity/view.py", "0, mesh.vertices.astype(np.float32)", lines=3)
 
 # %% The baked hall, drawn by a program of OpenGL 1.1 that knows nothing of radiosity
 hall.save("factory.npz")

@@ -26,7 +26,9 @@ REACH = 1.4  # of that length: the edge of the cube in which the pieces of a clu
 
 def clustered(patches: Patches, length: float) -> Patches:
     """Return patches of which small ones are gathered in clusters; length: of a patch's edge, in the scene's unit."""
-    small = np.flatnonzero((patches.area < (SMALL * length) ** 2) & (patches.size < LONG * length))
+    plain = np.array([material.texture is None for material in patches.scene.materials])  # texels need their polygon
+    plain = plain[np.asarray(patches.scene.material)[patches.polygon]]
+    small = np.flatnonzero((patches.area < (SMALL * length) ** 2) & (patches.size < LONG * length) & plain)
     normal = np.round(patches.normal[small], 3)
     side, octant = np.abs(normal).argmax(axis=1), normal >= 0.0  # 24 directions, with which flat ones make a ball
     paint = np.asarray(patches.scene.material)[patches.polygon[small]]

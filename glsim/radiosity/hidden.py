@@ -41,7 +41,13 @@ def exposed(patches: Patches, rays: Rays) -> Patches:
     hidden |= smaller
     under = np.flatnonzero(opposite)
     fronts, backs, unclear = count_faces(rays, patches.center[under], patches.normal[under])
-    hidden[under] |= (fronts == 0) & ((backs + unclear == RAYS) | _faces_outwards(patches, under))
+    shut = backs + unclear == RAYS
+    for corner in range(4):  # the end of a beam may hide the middle of a patch alone
+        chosen = np.flatnonzero(shut)
+        near = 0.9 * patches.corners[under[chosen], corner] + 0.1 * patches.center[under[chosen]]
+        _, backs, unclear = count_faces(rays, near, patches.normal[under[chosen]])
+        shut[chosen] = backs + unclear == RAYS
+    hidden[under] |= (fronts == 0) & (shut | _faces_outwards(patches, under))
     if not hidden.any():
         return patches
     if np.average(hidden, weights=patches.area) > 0.9:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -40,7 +41,7 @@ def watched(result: Radiosity, solver: str | None = None, size: int = 256, view:
     solver: as of the result by default; of shooting an iteration is one shot.  At most MOST pictures, the last when the
     residual is CONVERGED.  A vertex has the mean of the patches around it, so that iteration 0 shows the lamps alone.
     """
-    name = solver or result.solver
+    name, result = solver or result.solver, replace(result, mesh=result.patch_mesh)
     steps = []
     for step in result.iterations(name, many=1):
         steps.append(step)

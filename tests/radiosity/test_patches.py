@@ -7,6 +7,7 @@ import pytest
 
 from glsim.radiosity.mesh import mesh_of
 from glsim.radiosity.methods import compute
+from glsim.radiosity.rooms.shapes import beam
 from glsim.radiosity.scene import Builder, Material, box, quad
 from glsim.radiosity.scenes import BUILT_IN
 from glsim.radiosity.subdivide import subdivide
@@ -72,3 +73,12 @@ def test_built_in_scenes(name: str) -> None:
     mean = float(np.average(np.abs(sums - 1.0), weights=parts.area))
     assert mean < 0.01 or name == "plates"
     assert scene.views
+
+
+def test_a_wall_stays_around_the_end_of_a_beam() -> None:
+    """It is thinner than a patch, and its end lies on the middle of one: no more of the wall goes than it covers."""
+    b = Builder("beam")
+    b.add(box((0, 0, 0), (20, 6, 12), inside=True), Material("wall", (0.5,) * 3, (1.0,) * 3))
+    b.add(beam((0, 3, 5), (20, 3, 5), 0.16, 0.2), Material("beam", (0.4,) * 3))
+    parts = subdivide(b.scene().checked(), length=2.0)
+    assert parts.area[parts.polygon == 0].sum() >= 72.0 - 0.16 * 0.2 - 1e-9
