@@ -43,9 +43,8 @@ def _add_solution(p: Any) -> None:
     p.add_argument("--method", metavar="NAME",
                    help="of form factors: contour (default), analytic, point, disc, monte-carlo, hemicube; or"
                    " hierarchical (default above 3000 patches): links instead of a matrix")  # fmt: skip
-    p.add_argument("--accuracy", type=positive, metavar="A",
-                   help="of a link, in mean radiosities, for hierarchical (default: 5e-5; 2e-4 if hierarchical is the"
-                   " default)")  # fmt: skip
+    p.add_argument("--accuracy", type=positive, default=5e-5, metavar="A",
+                   help="of a link, in mean radiosities, for hierarchical (default: %(default)s)")  # fmt: skip
     p.add_argument("--solver", metavar="NAME",
                    help="gauss-seidel (default), jacobi, sor, cg, shooting, lu; where there is no matrix, for"
                    " hierarchical and --scheduler: cg (default), jacobi")  # fmt: skip

@@ -25,7 +25,7 @@ Mask = NDArray[np.bool_]
 ROUNDS = 24  # at most
 GROWTH = 1.6  # so many times more vertices, at most, after each round
 MOST = 0.25  # of a vertex's light: so much may be added to it, see _fitted
-SMOOTH = 0.004  # of the mean radiosity: where bounced light is this near to linear, it is not gathered again
+SMOOTH = 0.01  # of the mean radiosity: where bounced light is this near to linear, it is not gathered again
 
 
 @dataclass(frozen=True)

@@ -36,36 +36,34 @@ from glsim.radiosity.tree import tree_of
 Float = NDArray[np.float64]
 VERTICES = ("gather", "average")
 BRIGHT = 0.95  # reflectance: above it Gauss-Seidel takes hundreds of sweeps
-MANY = 3000  # patches: from here on links are faster than a matrix, and as good at LINKED
-LINKED = 2e-4  # their accuracy then
+MANY = 3000  # patches: above it links take less time and memory than a matrix
 DRAWN, ENOUGH = 5, 8000  # vertices for each patch, but not more than that, or than twice those of the patches' mesh
 
 
 def solve(
     what: Any, patches: int = 1000, *, method: str | None = None, solver: str | None = None, tolerance: float = 1e-6,
-    vertices: str = "gather", adaptive: bool = False, accuracy: float | None = None, flip: bool = False,
+    vertices: str = "gather", adaptive: bool = False, accuracy: float = ACCURACY, flip: bool = False,
     close: bool = False, threads: int | None = None, checkpoint: str | None = None, scheduler: str | None = None,
     drawn: int | None = None, progress: Progress | None = None, on_step: Callable[[SolverStep], object] | None = None,
 ) -> Radiosity:  # fmt: skip
     """Solve the radiosity of a scene.
 
     what: whatever load.scene_from takes.  patches: about how many.  method: of form factors, see methods.METHODS; by
-    default "contour", and above MANY patches "hierarchical" with the accuracy LINKED.  accuracy: of links, in mean
-    radiosities, see hierarchy.linked.  solver: see solvers.SOLVERS; by default "gauss-seidel", and "cg" without a
-    matrix.  adaptive: begin with fewer patches and divide those where the light changes fast.  vertices: "gather" (a
-    final gather at each vertex) or "average" (of patches).  drawn: about how many vertices the mesh that is drawn has,
-    by default DRAWN for each patch; 0: the corners of the patches, as with "average" always.  close: scale the form
-    factors so that rows sum to 1, for closed scenes.  flip: turn all fronts to the other side.  checkpoint: see
-    methods.compute.  scheduler: the address of a Dask scheduler whose workers compute the form factors and multiply by
-    them; checkpoint is then the name under which the blocks of form factors stay there (see distributed.Blocks).
-    threads: for rays, by default one for each processor; the result does not depend on it.
+    default "contour", and above MANY patches "hierarchical".  accuracy: of links, in mean radiosities, see
+    hierarchy.linked.  solver: see solvers.SOLVERS; by default "gauss-seidel", and "cg" without a matrix.  adaptive:
+    begin with fewer patches and divide those where the light changes fast.  vertices: "gather" (a final gather at each
+    vertex) or "average" (of patches).  drawn: about how many vertices the mesh that is drawn has, by default DRAWN for
+    each patch; 0: the corners of the patches, as with "average" always.  close: scale the form factors so that rows sum
+    to 1, for closed scenes.  flip: turn all fronts to the other side.  checkpoint: see methods.compute.  scheduler: the
+    address of a Dask scheduler whose workers compute the form factors and multiply by them; checkpoint is then the name
+    under which the blocks of form factors stay there (see distributed.Blocks).  threads: for rays, by default one for
+    each processor; the result does not depend on it.
     Raises SceneError.
     """
     _check_numbers(patches, tolerance, accuracy, threads, drawn)
     if method is None:
         only_matrix = solver not in (None, *WITHOUT_MATRIX) or adaptive or close or scheduler
         method = "contour" if patches <= MANY or only_matrix else "hierarchical"
-        accuracy = accuracy or LINKED
     _check(method, vertices, adaptive, close, scheduler)
     tell = progress or silent
     seconds: dict[str, float] = {}
@@ -83,7 +81,7 @@ def solve(
         with _timed(seconds, "patches"):
             tree = tree_of(scene, patches, rays)
             tell("patches", 1, 1)
-        computed: Factors = linked(tree, accuracy or ACCURACY, rays, tell, checkpoint=checkpoint)
+        computed: Factors = linked(tree, accuracy, rays, tell, checkpoint=checkpoint)
     else:
         find = _finder(method, rays, scheduler, tell)
         computed = _patch_factors(rays, patches, find, adaptive, checkpoint, tell, seconds)
@@ -195,16 +193,14 @@ def _check(method: str, vertices: str, adaptive: bool, close: bool, scheduler: s
         raise SceneError("hierarchical radiosity neither needs --adaptive (its links adapt) nor knows --close")
 
 
-def _check_numbers(
-    patches: int, tolerance: float, accuracy: float | None, threads: int | None, drawn: int | None
-) -> None:
+def _check_numbers(patches: int, tolerance: float, accuracy: float, threads: int | None, drawn: int | None) -> None:
     """Raise SceneError for numbers out of their range."""
     if drawn is not None and (isinstance(drawn, bool) or not isinstance(drawn, (int, np.integer)) or drawn < 0):
         raise SceneError(f"drawn must be a whole number from 0 on, not {drawn!r}")
     for name, value in (("patches", patches), ("threads", 1 if threads is None else threads)):
         if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
             raise SceneError(f"{name} must be a whole number from 1 on, not {value!r}")
-    for name, number in (("tolerance", tolerance), ("accuracy", ACCURACY if accuracy is None else accuracy)):
+    for name, number in (("tolerance", tolerance), ("accuracy", accuracy)):
         if not isinstance(number, (int, float)) or not 0.0 < number < 1.0:
             raise SceneError(f"the {name} must be a number between 0 and 1, not {number!r}")
 

@@ -12,6 +12,7 @@ from glsim.cli import main
 from glsim.radiosity.drawn import Edges
 from glsim.radiosity.scene import Builder, Material, SceneError, quad
 from tests.radiosity.helpers import mesh_area
+from tests.radiosity.test_openings import doorway, lamp, photons, rooms
 
 
 @pytest.fixture(scope="module")
@@ -103,3 +104,23 @@ def test_the_options(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: py
     with pytest.raises(SystemExit):
         main([*words.split(), "-4"])
     assert "--drawn" in capsys.readouterr().err
+
+
+def test_a_doorway_and_a_lamp_of_triangles_as_they_are_drawn() -> None:
+    """The light in the room behind a door, integrated over the mesh that is drawn, against photons; with any number of
+    threads the same."""
+    scene = doorway()
+    result = radiosity.solve(scene, 600, threads=1)
+    mesh, polygon = result.mesh, result.patches.polygon[result.mesh.triangle_patch]
+    far = np.array([ring.mean(axis=0)[0] > 2.1 for ring in scene.polygons])
+    power = mesh.areas * result.vertex_radiosity[mesh.triangles].mean(axis=1)[:, 0]
+    traced = photons(scene)[:, far].sum(axis=1)
+    error = traced.std(ddof=1) / np.sqrt(len(traced)) / traced.mean()
+    assert power[far[polygon]].sum() == pytest.approx(traced.mean(), rel=0.01 + 2.0 * error)
+    again = radiosity.solve(scene, 600, threads=3)
+    assert (again.mesh.triangles == mesh.triangles).all()
+    assert again.vertex_radiosity == pytest.approx(result.vertex_radiosity, rel=1e-12)
+    whole, halves = (radiosity.solve(rooms([], lamp(1.0, corners)), 300) for corners in (4, 3))
+    means = [np.average(some.vertex_radiosity[some.mesh.triangles].mean(axis=1)[:, 0], weights=some.mesh.areas)
+             for some in (whole, halves)]  # fmt: skip
+    assert means[0] == pytest.approx(means[1], rel=0.005)
