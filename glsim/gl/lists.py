@@ -25,6 +25,9 @@ STATIC = {name for name, command in COMMANDS.items() if command.family in STATIC
 DRAWING = {"glEnd", "glRect", *ARRAY_CALLS} - {"glArrayElement"}
 
 
+INITIAL_STORE = PixelStore()  # while a list is executed: it holds its pixels as they are
+
+
 class Unpacking(NamedTuple):
     """A call whose pixels lie in memory as glPixelStore said when the list was compiled."""
 
@@ -64,8 +67,8 @@ def compile_list(recorder: ListRecorder) -> list[Item]:
         first = position + 1
         if position < len(recorder.calls):
             call = Call(*recorder.calls[position])
-            store = recorder.stores.get(position, PixelStore())
-            items.append((position, call if store == PixelStore() else Unpacking(call, store)))
+            store = recorder.stores.get(position, INITIAL_STORE)
+            items.append((position, call if store == INITIAL_STORE else Unpacking(call, store)))
     return items
 
 
@@ -88,7 +91,7 @@ def glCallList(m: Machine, n: int) -> None:
     if items is None or m.nesting >= MAX_LIST_NESTING:
         return
     m.nesting += 1
-    store, m.stores.unpack = m.stores.unpack, PixelStore()
+    store, m.stores.unpack = m.stores.unpack, INITIAL_STORE
     try:
         for position, item in items:
             drawn = len(m.packets)
@@ -99,7 +102,7 @@ def glCallList(m: Machine, n: int) -> None:
             elif type(item) is Unpacking:
                 m.stores.unpack = item.store
                 implementations[item.call.name](*item.call.arguments)
-                m.stores.unpack = PixelStore()
+                m.stores.unpack = INITIAL_STORE
             else:
                 raise invalid_operation(f"list {n} begins a primitive of its own")
             if m.outlet.frame is not None:

@@ -220,7 +220,7 @@ class Texturing(NamedTuple):
     @property
     def in_use(self) -> bool:
         """Whether any unit may apply a texture."""
-        return any(any(unit.enabled) for unit in self.units)
+        return any(True in unit.enabled for unit in self.units)
 
     def with_unit(self, number: int, unit: TextureUnit) -> Texturing:
         return Texturing(with_item(self.units, number, unit), self.active_unit)
