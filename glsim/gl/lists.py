@@ -60,24 +60,31 @@ def glEndList(m: Machine) -> None:
 def compile_list(recorder: ListRecorder) -> list[Item]:
     """Runs of calls that only make vertices become Geometry; the rest stays calls."""
     items: list[Item] = []
+    run: list[int] = []  # positions of glBegin, glEnd, glRect, ... since ``first``
     first = 0
-    others = [position for position, (name, _) in enumerate(recorder.calls) if name not in STATIC]
-    for position in [*others, len(recorder.calls)]:
-        items += _compiled(recorder, first, position)
-        first = position + 1
-        if position < len(recorder.calls):
-            call = Call(*recorder.calls[position])
-            store = recorder.stores.get(position, INITIAL_STORE)
-            items.append((position, call if store == INITIAL_STORE else Unpacking(call, store)))
-    return items
+    for position in recorder.others:
+        name, arguments = recorder.calls[position]
+        if name in STATIC:
+            run.append(position)
+            continue
+        items += _compiled(recorder, first, position, run)
+        run, first = [], position + 1
+        store = recorder.stores.get(position, INITIAL_STORE)
+        call = Call(name, arguments)
+        items.append((position, call if store == INITIAL_STORE else Unpacking(call, store)))
+    return items + _compiled(recorder, first, len(recorder.calls), run)
 
 
-def _compiled(recorder: ListRecorder, first: int, end: int) -> list[Item]:
-    """One Geometry if the calls ``first`` to ``end`` - 1 draw whole primitives without an error, else the calls."""
+def _compiled(recorder: ListRecorder, first: int, end: int, run: list[int]) -> list[Item]:
+    """One Geometry if the calls ``first`` to ``end`` - 1 draw whole primitives without an error, else the calls.
+
+    run: the positions of those that are not called once a vertex.
+    """
     calls = recorder.calls[first:end]
-    brackets = [name for name, _ in calls if name in ("glBegin", "glEnd")]
+    names = [recorder.calls[position][0] for position in run]
+    brackets = [name for name in names if name in ("glBegin", "glEnd")]
     balanced = brackets == ["glBegin", "glEnd"] * (len(brackets) // 2)
-    if balanced and any(COMMANDS[name].family in DRAWING for name, _ in calls):
+    if balanced and any(COMMANDS[name].family in DRAWING for name in names):
         try:
             return [(end - 1, Geometry(calls, recorder.clients, first))]
         except (GLError, TypeError, ValueError):
