@@ -1,8 +1,8 @@
 """How time and memory grow with what is drawn: python tests/benchmarks/growth.py [--json]
 
-Each subject is measured at four sizes, over three decades where that fits: milliseconds of user CPU time (lowest of five;
-with LP_NUM_THREADS=0 also llvmpipe's) and the memory that it holds afterwards, in KiB of the process.  "growth" is the
-exponent between the two largest sizes: 1 is linear, 2 would be quadratic.
+Each subject is measured at four sizes, over three decades where that fits: milliseconds of CPU time of the process, the
+lowest of five (with llvmpipe's share, which runs in the same thread), and KiB that the process holds more afterwards.
+"growth" is the exponent between the two largest sizes: 1 is linear, 2 would be quadratic.
 """
 
 from __future__ import annotations
