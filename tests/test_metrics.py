@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.ndimage import gaussian_filter
 
 from glsim import metrics
 
@@ -47,3 +48,10 @@ def test_blocks_of_one_sign() -> None:
 def test_pictures_of_two_sizes_get_a_sentence() -> None:
     with pytest.raises(ValueError, match="not 16 x 16 with 4 channels and 16 x 8 with 4 channels"):
         metrics.metrics(grey(1), grey(1, (8, 16)))
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (3, 40), (37, 24)])
+def test_the_window_is_scipys_gaussian_filter(shape: tuple[int, int]) -> None:
+    values = np.random.default_rng(5).random(shape) * 255.0
+    expected = gaussian_filter(values, 1.5, truncate=5 / 1.5)
+    assert np.allclose(metrics.windowed(values), expected, rtol=0.0, atol=1e-9)

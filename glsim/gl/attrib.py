@@ -5,7 +5,7 @@ The groups of state are immutable, so pushing is keeping references and popping 
 
 from __future__ import annotations
 
-from glsim.gl.enable import CAPS, SERIES, series, switch
+from glsim.gl.enable import CAPS, flag, switch
 from glsim.gl.texture import rebind
 from glsim.machine import constants as gl
 from glsim.machine.errors import stack_overflow, stack_underflow
@@ -34,15 +34,6 @@ GROUPS: dict[int, tuple[str, ...]] = {
     gl.GL_EVAL_BIT: ("evaluators",),
     gl.GL_ACCUM_BUFFER_BIT: ("accum_clear",),
 }
-ALL_CAPS = [*CAPS, *(first + k for first, (_, _, count) in SERIES.items() for k in range(count))]
-
-
-def _flag(m: Machine, cap: int) -> bool:
-    if cap in CAPS:
-        group, field = CAPS[cap]
-        return bool(getattr(getattr(m, group), field))
-    group, field, number = series(cap)  # type: ignore[misc]
-    return bool(getattr(getattr(m, group), field)[number])
 
 
 def glPushAttrib(m: Machine, mask: int) -> None:
@@ -52,7 +43,7 @@ def glPushAttrib(m: Machine, mask: int) -> None:
         )
     names = [name for bit, group in GROUPS.items() if mask & bit for name in group]
     saved = {name: getattr(m, name) for name in names}
-    flags = {cap: _flag(m, cap) for cap in ALL_CAPS} if mask & gl.GL_ENABLE_BIT else {}
+    flags = {cap: flag(m, cap) for cap in CAPS} if mask & gl.GL_ENABLE_BIT else {}
     units = [(unit.enabled, unit.generated) for unit in m.texture.units] if mask & gl.GL_ENABLE_BIT else []
     m.attrib_stack.append((saved, flags, units))
 
@@ -62,8 +53,7 @@ def glPopAttrib(m: Machine) -> None:
         raise stack_underflow("the attribute stack is empty: more glPopAttrib than glPushAttrib")
     saved, flags, units = m.attrib_stack.pop()
     for cap, value in flags.items():
-        if _flag(m, cap) != value:
-            switch(m, cap, value)
+        switch(m, cap, value)
     for number, (enabled, generated) in enumerate(units):
         unit = m.texture.units[number]._replace(enabled=enabled, generated=generated)
         m.texture = m.texture.with_unit(number, unit)

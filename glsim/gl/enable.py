@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, get_type_hints
 
 from glsim.gl.arrays import ARRAYS, array_key, client
 from glsim.gl.light import set_color_material
 from glsim.machine import constants as gl
 from glsim.machine.errors import invalid_enum
 from glsim.machine.machine import Machine
-from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS
+from glsim.machine.state import MAX_CLIP_PLANES, MAX_LIGHTS, Evaluators, Snapshot, TextureUnit, Texturing, with_item
 
-# cap -> (group, field) of a Machine
-CAPS: dict[int, tuple[str, str]] = {
+GROUPS: dict[str, Any] = {**get_type_hints(Snapshot), "evaluators": Evaluators}
+
+# cap -> (group of a Machine, field)
+SINGLE: dict[int, tuple[str, str]] = {
     gl.GL_LIGHTING: ("lighting", "enabled"),
     gl.GL_COLOR_MATERIAL: ("lighting", "color_material"),
     gl.GL_NORMALIZE: ("transform", "normalize"),
@@ -49,22 +51,25 @@ SERIES: dict[int, tuple[str, str, int]] = {
     gl.GL_LIGHT0: ("lighting", "light_enabled", MAX_LIGHTS),
     gl.GL_CLIP_PLANE0: ("transform", "clip_enabled", MAX_CLIP_PLANES),
 }
-# capability of the active texture unit -> (field of TextureUnit, index in this field)
-UNIT_CAPS: dict[int, tuple[str, int]] = {
-    gl.GL_TEXTURE_1D: ("enabled", 0), gl.GL_TEXTURE_2D: ("enabled", 1), gl.GL_TEXTURE_3D: ("enabled", 2),
-    gl.GL_TEXTURE_CUBE_MAP: ("enabled", 3), gl.GL_TEXTURE_GEN_S: ("generated", 0), gl.GL_TEXTURE_GEN_T: ("generated",
-    1),
-    gl.GL_TEXTURE_GEN_R: ("generated", 2), gl.GL_TEXTURE_GEN_Q: ("generated", 3),
+# every cap of these -> (group, number of the field in it, number in the tuple that the field holds or None)
+CAPS: dict[int, tuple[str, int, int | None]] = {
+    **{cap: (group, GROUPS[group]._fields.index(field), None) for cap, (group, field) in SINGLE.items()},
+    **{
+        first + k: (group, GROUPS[group]._fields.index(field), k)
+        for first, (group, field, count) in SERIES.items()
+        for k in range(count)
+    },
+}
+# capability of the active texture unit -> (number of the field of TextureUnit, number in the tuple that it holds)
+_ENABLED, _GENERATED = (TextureUnit._fields.index(field) for field in ("enabled", "generated"))
+UNIT_CAPS: dict[int, tuple[int, int]] = {
+    gl.GL_TEXTURE_1D: (_ENABLED, 0), gl.GL_TEXTURE_2D: (_ENABLED, 1), gl.GL_TEXTURE_3D: (_ENABLED, 2),
+    gl.GL_TEXTURE_CUBE_MAP: (_ENABLED, 3), gl.GL_TEXTURE_GEN_S: (_GENERATED, 0), gl.GL_TEXTURE_GEN_T: (_GENERATED, 1),
+    gl.GL_TEXTURE_GEN_R: (_GENERATED, 2), gl.GL_TEXTURE_GEN_Q: (_GENERATED, 3),
 }  # fmt: skip
+# cap -> a group with it disabled and enabled, the last that were made: programs switch to and fro
+_last_pair: dict[int, tuple[Any, Any]] = {}
 EXPECTED = "something that can be enabled, such as GL_LIGHTING or GL_DEPTH_TEST"
-
-
-def series(cap: int) -> tuple[str, str, int] | None:
-    """(group, field, number) of GL_LIGHTi and GL_CLIP_PLANEi."""
-    for first, (group, field, count) in SERIES.items():
-        if 0 <= cap - first < count:
-            return group, field, cap - first
-    return None
 
 
 def glEnable(m: Machine, cap: int) -> None:
@@ -77,40 +82,49 @@ def glDisable(m: Machine, cap: int) -> None:
 
 def switch(m: Machine, cap: int, value: bool) -> None:
     place = CAPS.get(cap)
-    if place is not None:
-        group, field = place
-        if cap == gl.GL_COLOR_MATERIAL and m.lighting.color_material != value:
-            set_color_material(m, value)
-        else:
-            setattr(m, group, getattr(m, group)._replace(**{field: value}))
+    if place is None:
+        _switch_of_unit(m, cap, value)
         return
-    if cap in UNIT_CAPS:
-        field, number = UNIT_CAPS[cap]
-        unit = m.texture.unit
-        before = getattr(unit, field)
-        changed: dict[str, Any] = {field: (*before[:number], value, *before[number + 1 :])}
-        unit = unit._replace(**changed)
-        m.texture = m.texture.with_unit(m.texture.active_unit, unit)
+    group, field, number = place
+    before = getattr(m, group)
+    flags = before[field]
+    if (flags if number is None else flags[number]) is value:
         return
-    numbered = series(cap)
-    if numbered is not None:
-        group, field, number = numbered
-        flags = list(getattr(getattr(m, group), field))
-        flags[number] = value
-        setattr(m, group, getattr(m, group)._replace(**{field: tuple(flags)}))
-    else:
+    if cap == gl.GL_COLOR_MATERIAL:
+        set_color_material(m, value)
+        return
+    pair = _last_pair.get(cap)
+    if pair is None or pair[not value] is not before:
+        after = with_item(before, field, value if number is None else with_item(flags, number, value))
+        pair = _last_pair[cap] = (before, after) if value else (after, before)
+    setattr(m, group, pair[value])
+
+
+def _switch_of_unit(m: Machine, cap: int, value: bool) -> None:
+    if cap not in UNIT_CAPS:
         raise invalid_enum("cap", cap, EXPECTED)
+    field, number = UNIT_CAPS[cap]
+    units, active = m.texture
+    unit: Any = units[active]
+    if unit[field][number] is not value:
+        unit = with_item(unit, field, with_item(unit[field], number, value))
+        m.texture = Texturing(with_item(units, active, unit), active)
 
 
 def glIsEnabled(m: Machine, cap: int) -> int:
-    place = CAPS.get(cap)
-    if place is not None:
-        return int(getattr(getattr(m, place[0]), place[1]))
-    numbered = series(cap)
-    if numbered is not None:
-        return int(getattr(getattr(m, numbered[0]), numbered[1])[numbered[2]])
+    if cap in CAPS:
+        return int(flag(m, cap))
     if cap in UNIT_CAPS:
-        return int(getattr(m.texture.unit, UNIT_CAPS[cap][0])[UNIT_CAPS[cap][1]])
+        field, number = UNIT_CAPS[cap]
+        unit: Any = m.texture.unit
+        return int(unit[field][number])
     if cap in ARRAYS:
         return int(client(m, array_key(m, cap)).enabled)
     raise invalid_enum("cap", cap, EXPECTED)
+
+
+def flag(m: Machine, cap: int) -> bool:
+    """Whether one of CAPS is enabled."""
+    group, field, number = CAPS[cap]
+    flags = getattr(m, group)[field]
+    return bool(flags if number is None else flags[number])

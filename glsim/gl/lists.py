@@ -25,6 +25,9 @@ STATIC = {name for name, command in COMMANDS.items() if command.family in STATIC
 DRAWING = {"glEnd", "glRect", *ARRAY_CALLS} - {"glArrayElement"}
 
 
+INITIAL_STORE = PixelStore()  # while a list is executed: it holds its pixels as they are
+
+
 class Unpacking(NamedTuple):
     """A call whose pixels lie in memory as glPixelStore said when the list was compiled."""
 
@@ -57,24 +60,31 @@ def glEndList(m: Machine) -> None:
 def compile_list(recorder: ListRecorder) -> list[Item]:
     """Runs of calls that only make vertices become Geometry; the rest stays calls."""
     items: list[Item] = []
+    run: list[int] = []  # positions of glBegin, glEnd, glRect, ... since ``first``
     first = 0
-    others = [position for position, (name, _) in enumerate(recorder.calls) if name not in STATIC]
-    for position in [*others, len(recorder.calls)]:
-        items += _compiled(recorder, first, position)
-        first = position + 1
-        if position < len(recorder.calls):
-            call = Call(*recorder.calls[position])
-            store = recorder.stores.get(position, PixelStore())
-            items.append((position, call if store == PixelStore() else Unpacking(call, store)))
-    return items
+    for position in recorder.others:
+        name, arguments = recorder.calls[position]
+        if name in STATIC:
+            run.append(position)
+            continue
+        items += _compiled(recorder, first, position, run)
+        run, first = [], position + 1
+        store = recorder.stores.get(position, INITIAL_STORE)
+        call = Call(name, arguments)
+        items.append((position, call if store == INITIAL_STORE else Unpacking(call, store)))
+    return items + _compiled(recorder, first, len(recorder.calls), run)
 
 
-def _compiled(recorder: ListRecorder, first: int, end: int) -> list[Item]:
-    """One Geometry if the calls ``first`` to ``end`` - 1 draw whole primitives without an error, else the calls."""
+def _compiled(recorder: ListRecorder, first: int, end: int, run: list[int]) -> list[Item]:
+    """One Geometry if the calls ``first`` to ``end`` - 1 draw whole primitives without an error, else the calls.
+
+    run: the positions of those that are not called once a vertex.
+    """
     calls = recorder.calls[first:end]
-    brackets = [name for name, _ in calls if name in ("glBegin", "glEnd")]
+    names = [recorder.calls[position][0] for position in run]
+    brackets = [name for name in names if name in ("glBegin", "glEnd")]
     balanced = brackets == ["glBegin", "glEnd"] * (len(brackets) // 2)
-    if balanced and any(COMMANDS[name].family in DRAWING for name, _ in calls):
+    if balanced and any(COMMANDS[name].family in DRAWING for name in names):
         try:
             return [(end - 1, Geometry(calls, recorder.clients, first))]
         except (GLError, TypeError, ValueError):
@@ -88,7 +98,7 @@ def glCallList(m: Machine, n: int) -> None:
     if items is None or m.nesting >= MAX_LIST_NESTING:
         return
     m.nesting += 1
-    store, m.stores.unpack = m.stores.unpack, PixelStore()
+    store, m.stores.unpack = m.stores.unpack, INITIAL_STORE
     try:
         for position, item in items:
             drawn = len(m.packets)
@@ -99,7 +109,7 @@ def glCallList(m: Machine, n: int) -> None:
             elif type(item) is Unpacking:
                 m.stores.unpack = item.store
                 implementations[item.call.name](*item.call.arguments)
-                m.stores.unpack = PixelStore()
+                m.stores.unpack = INITIAL_STORE
             else:
                 raise invalid_operation(f"list {n} begins a primitive of its own")
             if m.outlet.frame is not None:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from glsim.gl.arrays import ARRAYS, array_key, client
-from glsim.gl.enable import CAPS, UNIT_CAPS, glIsEnabled, series
+from glsim.gl.enable import CAPS, UNIT_CAPS, glIsEnabled
 from glsim.gl.evaluators import MAX_EVAL_ORDER
 from glsim.gl.fragment import HINTS
 from glsim.gl.pixels import BIASES, MAX_PIXEL_MAP_TABLE, SCALES
@@ -233,7 +233,7 @@ def _lookup(m: Machine, pname: int) -> Any:
     getter = GETTERS.get(pname)
     if getter is not None:
         return getter(m)
-    if pname in CAPS or pname in UNIT_CAPS or pname in ARRAYS or series(pname):
+    if pname in CAPS or pname in UNIT_CAPS or pname in ARRAYS:
         return glIsEnabled(m, pname)
     if pname in UNPACK_FIELDS:
         return getattr(m.stores.unpack, UNPACK_FIELDS[pname])

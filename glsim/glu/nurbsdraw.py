@@ -2,66 +2,82 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glsim import gl
+from glsim.gl.arrays import ARRAYS
 from glsim.glu.constants import NAMES
 from glsim.glu.nurbsobject import MODE, Nurbs
 from glsim.glu.spline import Spline
 from glsim.glu.trimming import clipped, filled, holds, inside
+from glsim.machine.state import TEXTURE_UNITS
 
 Float = NDArray[np.float64]
+# what a map gives -> the callback that takes it; the vertex array, and the command that says where it lies
+CALLBACKS = {"vertex": "VERTEX", "normal": "NORMAL", "color": "COLOR", "texcoord": "TEXTURE_COORD"}
+POINTERS: dict[str, tuple[int, Callable[..., Any]]] = {
+    "vertex": (gl.GL_VERTEX_ARRAY, gl.glVertexPointer), "normal": (gl.GL_NORMAL_ARRAY, gl.glNormalPointer),
+    "color": (gl.GL_COLOR_ARRAY, gl.glColorPointer), "texcoord": (gl.GL_TEXTURE_COORD_ARRAY, gl.glTexCoordPointer),
+}  # fmt: skip
 
 
 class Output:
-    """The samples at some places, with all that the maps say, for OpenGL or for the callbacks."""
+    """The samples at some places, with all that the maps say, for OpenGL or for the callbacks.
 
-    def __init__(self, nurb: Nurbs, *places: Float) -> None:
+    places: parameters (n,); of a surface u and v, each place a pair, or with ``grid`` every u with every v.
+    """
+
+    def __init__(self, nurb: Nurbs, *places: Float, grid: bool = False) -> None:
+        def at_places(spline: Spline, derive: int | None = None) -> Float:
+            return spline.grid(*places, derive=derive) if grid else spline(*places, derive=derive)
+
         self.nurb, maps = nurb, nurb.maps
         self.calls = nurb.properties[MODE] == NAMES["GLU_NURBS_TESSELLATOR"]
-        points = maps["vertex"](*places)
-        normals = maps["normal"](*places) if "normal" in maps else None
+        values = {name: at_places(spline) for name, spline in maps.items()}
+        points = values["vertex"]
         wanted = "NORMAL" in nurb.callbacks if self.calls else gl.glIsEnabled(gl.GL_AUTO_NORMAL)
-        if len(places) == 2 and wanted and (normals is None or not self.calls):
-            normals = _normals(maps["vertex"], points, places)
+        if len(places) == 2 and wanted and ("normal" not in values or not self.calls):
+            values["normal"] = _normals(points, *(at_places(maps["vertex"], axis) for axis in (0, 1)))
         if self.calls and points.shape[1] == 4:
-            points = points[:, :3] / points[:, 3:]
-        columns: list[tuple[str, Callable[..., Any], Float | None]] = [
-            ("COLOR", gl.glColor4dv, maps["color"](*places) if "color" in maps else None),
-            ("TEXTURE_COORD", _texcoord, maps["texcoord"](*places) if "texcoord" in maps else None),
-            ("NORMAL", gl.glNormal3dv, normals),
-            ("VERTEX", gl.glVertex4dv if points.shape[1] == 4 else gl.glVertex3dv, points),
-        ]
-        self.columns = [(name, call, values) for name, call, values in columns if values is not None]
-        self.rows = [(call, values.tolist()) for _, call, values in self.columns]
+            values["vertex"] = points[:, :3] / points[:, 3:]
+        self.columns = [(name, values[name]) for name in ("color", "texcoord", "normal", "vertex") if name in values]
 
-    def draw(self, mode: int, numbers: Iterable[int]) -> None:
-        """One primitive of the samples with these numbers."""
+    def draw(self, mode: int, numbers: Sequence[int] | NDArray[np.intp]) -> None:
+        """Primitives of the samples with these numbers."""
         if self.calls:
             self.nurb.call("BEGIN", mode)
             for n in numbers:
-                for name, _, values in self.columns:
-                    self.nurb.call(name, values[n].astype(np.float32))
+                for name, values in self.columns:
+                    self.nurb.call(CALLBACKS[name], values[n].astype(np.float32))
             self.nurb.call("END")
             return
-        gl.glBegin(mode)
-        for n in numbers:
-            for call, rows in self.rows:
-                call(rows[n])
-        gl.glEnd()
+        gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
+        _no_arrays()
+        for name, values in self.columns:
+            array, pointer = POINTERS[name]
+            gl.glEnableClientState(array)
+            pointer(*(() if name == "normal" else (values.shape[1],)), gl.GL_DOUBLE, 0, values)
+        gl.glDrawElements(mode, len(numbers), gl.GL_UNSIGNED_INT, np.asarray(numbers, np.uint32))
+        gl.glPopClientAttrib()
 
 
-def _texcoord(values: list[float]) -> None:
-    gl.glTexCoord(*values)
+def _no_arrays() -> None:
+    """Disable the vertex arrays that the program may have left enabled."""
+    for target in (gl.GL_ARRAY_BUFFER, gl.GL_ELEMENT_ARRAY_BUFFER):
+        gl.glBindBuffer(target, 0)
+    for unit in reversed(range(TEXTURE_UNITS)):
+        gl.glClientActiveTexture(gl.GL_TEXTURE0 + unit)
+        gl.glDisableClientState(gl.GL_TEXTURE_COORD_ARRAY)
+    for array in ARRAYS.values():
+        gl.glDisableClientState(array)
 
 
-def _normals(spline: Spline, points: Float, places: tuple[Float, ...]) -> Float:
-    """Unit normals, along the derivative by u x the derivative by v."""
-    du, dv = (spline(*places, derive=axis) for axis in (0, 1))
+def _normals(points: Float, du: Float, dv: Float) -> Float:
+    """Unit normals at points (n, 3 or 4), along the derivative by u x the derivative by v."""
     if points.shape[1] == 4:  # of (x/w, y/w, z/w), by the quotient rule
         du, dv = (d[:, :3] * points[:, 3:] - points[:, :3] * d[:, 3:] for d in (du, dv))
     normals = np.cross(du, dv)
@@ -75,20 +91,29 @@ def draw_cells(nurb: Nurbs, u: Float, v: Float, loops: list[Float]) -> None:
     whole, cut = np.ones((len(u) - 1, len(v) - 1), bool), np.zeros((len(u) - 1, len(v) - 1), bool)
     if loops:
         whole, cut = inside(u, v, loops)
-    places = np.meshgrid(u, v, indexing="ij")
-    grid = Output(nurb, places[0].ravel(), places[1].ravel())
-    for i, row in enumerate(whole):
-        below, above = i * len(v), (i + 1) * len(v)
-        edges = np.flatnonzero(np.diff(row.astype(np.int8), prepend=0, append=0)).tolist()
-        for first, last in zip(edges[::2], edges[1::2], strict=True):
-            strip = [n + j for j in range(first, last + 1) for n in (below, above)]
-            grid.draw(gl.GL_QUAD_STRIP, strip)
+    grid = Output(nurb, u, v, grid=True)
+    if grid.calls:
+        _draw_strips(grid, whole)
+    elif whole.any():
+        n = np.add.outer(np.arange(len(u) - 1) * len(v), np.arange(len(v) - 1))[whole]
+        # the corners (i, j + 1), (i, j), (i + 1, j), (i + 1, j + 1): cut and coloured as those of a strip
+        grid.draw(gl.GL_QUADS, np.stack([n + 1, n, n + len(v), n + len(v) + 1], axis=1).ravel())
     corners: list[tuple[float, float]] = []
     for i, j in np.argwhere(cut).tolist():
         corners += filled([clipped(loop, u[i], u[i + 1], v[j], v[j + 1]) for loop in loops])
     if corners:
         u_v = np.array(corners)
         Output(nurb, u_v[:, 0], u_v[:, 1]).draw(gl.GL_TRIANGLES, range(len(u_v)))
+
+
+def _draw_strips(grid: Output, whole: NDArray[np.bool_]) -> None:
+    """The whole cells as quad strips, for the callbacks."""
+    columns = whole.shape[1] + 1
+    for i, row in enumerate(whole):
+        below, above = i * columns, (i + 1) * columns
+        edges = np.flatnonzero(np.diff(row.astype(np.int8), prepend=0, append=0)).tolist()
+        for first, last in zip(edges[::2], edges[1::2], strict=True):
+            grid.draw(gl.GL_QUAD_STRIP, [n + j for j in range(first, last + 1) for n in (below, above)])
 
 
 def draw_patches(nurb: Nurbs, spline: Spline, u: Float, v: Float, loops: list[Float]) -> None:
@@ -100,6 +125,8 @@ def draw_patches(nurb: Nurbs, spline: Spline, u: Float, v: Float, loops: list[Fl
         for knot in spline.spans(axis)[1:-1] if loops else spline.spans(axis):
             places = (np.full_like(stops, knot), stops) if axis == 0 else (stops, np.full_like(stops, knot))
             output = Output(nurb, *places)
-            for k in range(len(stops) - 1):
-                if not loops or holds(loops, *((place[k] + place[k + 1]) / 2 for place in places)):
-                    output.draw(gl.GL_LINES, (k, k + 1))
+            middles = [(place[:-1] + place[1:]) / 2 for place in places]
+            kept = [k for k, at in enumerate(zip(*middles, strict=True)) if not loops or holds(loops, *at)]
+            segments = np.add.outer(kept, [0, 1])
+            for ends in segments if output.calls else [segments.ravel()]:
+                output.draw(gl.GL_LINES, ends)

@@ -31,6 +31,12 @@ class Spline:
         letters = "ni,ik->nk" if len(places) == 1 else "ni,nj,ijk->nk"
         return np.asarray(np.einsum(letters, *bases, self.points))
 
+    def grid(self, *places: Float, derive: int | None = None) -> Float:
+        """A surface at u (n,) and v (m,), each u with each v -> (n * m, k), v changing fastest; derive: as above."""
+        along_u, along_v = (_basis(self.knots[k], self.orders[k], t, int(derive == k)) for k, t in enumerate(places))
+        points = np.einsum("ui,ijk->ujk", along_u, self.points)
+        return np.asarray(np.einsum("vj,ujk->uvk", along_v, points).reshape(-1, self.points.shape[-1]))
+
 
 def _basis(knots: Float, order: int, t: Float, derivative: int) -> Float:
     """B-spline basis functions, or their derivatives, at t (n,): (n, len(knots) - order), by Cox and de Boor."""

@@ -19,7 +19,9 @@ from glsim.machine.record import implementations
 
 NAN = float("nan")
 MOST_VARIANTS = 16
+GOLDEN = np.uint64(0x9E3779B97F4A7C15)  # 2^64 / golden ratio: multiplication by it spreads bits (Knuth, volume 3, 6.4)
 AnyCall = tuple[str, tuple[Any, ...]]
+Part = tuple[int, NDArray[np.uint32]]  # mode, vertices
 
 
 class Geometry:
@@ -35,21 +37,23 @@ class Geometry:
         clients: position in the list of a call that draws from vertex arrays -> the state of these arrays.
         """
         machine = _execute(calls, clients, first)
-        self.draws: list[Draw] = [packet for packet in machine.packets if isinstance(packet, Draw)]
         self.after = {
             name: getattr(machine, name) for name in REGISTERS if getattr(machine, name) == getattr(machine, name)
         }
         self.after_current = {n: v for n, v in machine.current.items() if v[0] == v[0]}
         vertices = machine.take_vertices()
-        self.vertices = Vertices(vertices.rows, vertices.columns, [], static=True)
+        chosen, numbers = different(vertices)
+        self.vertices = vertices.take(chosen)
+        drawn = [packet for packet in machine.packets if isinstance(packet, Draw)]
+        self.parts: list[Part] = [(draw.mode, _indices(draw, numbers)) for draw in drawn]
         rows = self.vertices.rows
         self.no_normal, self.no_color = np.isnan(rows[:, 3]), np.isnan(rows[:, 6])
-        self.no_column = {n: np.isnan(v[:, 0]) for n, v in vertices.columns.items() if np.isnan(v[:, 0]).any()}
+        self.no_column = {n: np.isnan(v[:, 0]) for n, v in self.vertices.columns.items() if np.isnan(v[:, 0]).any()}
         self.color_is_callers = bool(self.no_color.all())
         self.takes_normal = bool(self.no_normal.any())
         self.takes_color = bool(self.no_color.any()) and not self.color_is_callers
         self.variants: dict[Any, Vertices] = {}
-        self.order: list[tuple[int, NDArray[np.uint32]]] | None = None
+        self.assembled: list[Part] | None = None
 
     def call(self, m: Machine) -> None:
         """Draw with the machine's present state, and leave the current values that the list sets."""
@@ -57,12 +61,8 @@ class Geometry:
         filled = state.polygon.front_mode == state.polygon.back_mode == gl.GL_FILL
         vertices = self._resolved(m, not filled or state.fog.color_sum or state.fog.enabled or state.texture.in_use)
         color = (m.red, m.green, m.blue, m.alpha) if self.color_is_callers else None
-        if filled and not state.line.stipple:
-            parts: list[Any] = [(mode, 0, len(vertices.rows), indices) for mode, indices in self._assembled()]
-        else:
-            parts = [(part.mode, part.first, part.count, part.indices) for part in self.draws]
-        for mode, first, count, indices in parts:
-            draw = Draw(mode, first, count, indices, matrices, m.material, state, vertices)
+        for mode, indices in self._assembled() if filled and not state.line.stipple else self.parts:
+            draw = Draw(mode, 0, len(vertices.rows), indices, matrices, m.material, state, vertices)
             draw.color = color
             m.packets.append(draw)
         for name, value in self.after.items():
@@ -70,18 +70,18 @@ class Geometry:
         if self.after_current:
             m.current = self.after_current
 
-    def _assembled(self) -> list[tuple[int, NDArray[np.uint32]]]:
+    def _assembled(self) -> list[Part]:
         """All primitives as few pairs (mode, indices) of separate triangles, lines or points.
 
         Each call returns the same index arrays, so that the GPU can keep its copies of them.
         """
-        if self.order is None:
-            self.order = []
-            for kind, group in groupby(self.draws, key=lambda draw: corners(draw.mode)):
-                indices = np.concatenate([_indices(draw) for draw in group])
+        if self.assembled is None:
+            self.assembled = []
+            for kind, group in groupby(self.parts, key=lambda part: corners(part[0])):
+                indices = np.concatenate([primitives(mode, len(own), own, last=True) for mode, own in group])
                 if len(indices):
-                    self.order.append((PLAIN[kind], indices))
-        return self.order
+                    self.assembled.append((PLAIN[kind], indices))
+        return self.assembled
 
     def _resolved(self, m: Machine, all_columns: bool) -> Vertices:
         """The vertices with the machine's current values in place of NaN.
@@ -108,10 +108,29 @@ class Geometry:
         return variant
 
 
-def _indices(draw: Draw) -> NDArray[np.uint32]:
-    """Plain triangles, lines or points; quads are cut so that both halves end in the provoking vertex."""
-    count = draw.count if draw.indices is None else len(draw.indices)
-    return primitives(draw.mode, count, draw.indices, last=True) + np.uint32(draw.first)
+def different(vertices: Vertices) -> tuple[NDArray[np.intp], NDArray[np.uint32]]:
+    """Vertices that agree in every bit become one, which is computed once: (chosen, numbers).
+
+    chosen: vertices that differ from each other; numbers: for each vertex, which of the chosen it is.  A mesh of
+    separate triangles has each of its points about six times.
+    """
+    parts = [values for values in (vertices.rows, *vertices.columns.values()) if len(values) == len(vertices.rows)]
+    bits = np.concatenate([np.ascontiguousarray(part).view(np.uint32) for part in parts], axis=1)
+    hashes = np.zeros(len(bits), np.uint64)
+    for column in bits.T:
+        hashes = (hashes ^ (hashes >> np.uint64(29))) * GOLDEN + column
+    _, first, group = np.unique(hashes, return_index=True, return_inverse=True)
+    chosen = np.sort(first)  # as they came
+    numbers = np.searchsorted(chosen, first).astype(np.uint32)[group]
+    if len(chosen) == len(bits) or not np.array_equal(bits[chosen][numbers], bits):  # two hashes met: keep all
+        return np.arange(len(bits)), np.arange(len(bits), dtype=np.uint32)
+    return chosen, numbers
+
+
+def _indices(draw: Draw, numbers: NDArray[np.uint32]) -> NDArray[np.uint32]:
+    """A Draw's vertices in order.  numbers: what each vertex of its block is called now."""
+    own = numbers[draw.first : draw.first + draw.count]
+    return own if draw.indices is None else own[draw.indices]
 
 
 def _execute(calls: Sequence[AnyCall], clients: dict[int, dict[Any, Any]], first: int) -> Machine:

@@ -156,19 +156,26 @@ def _written(frame: Any) -> str:
 class ListRecorder:
     """Between glNewList and glEndList: collects the commands that belong into the list.
 
-    calls: (name, arguments) in order.  execute: whether the mode is GL_COMPILE_AND_EXECUTE.  clients: position in
-    ``calls`` of a call that draws from vertex arrays -> a copy of the arrays at the time of the call.  stores: position
-    of a call that reads pixels -> the unpacking state of glPixelStore at that time.
+    calls: (name, arguments) in order.  others: the positions of all but plain commands of gl/immediate.py.  execute:
+    whether the mode is GL_COMPILE_AND_EXECUTE.  clients: position in ``calls`` of a call that draws from vertex
+    arrays -> a copy of the arrays at the time of the call.  stores: position of a call that reads pixels -> the
+    unpacking state of glPixelStore at that time.
     """
 
     def __init__(self, machine: Machine, number: int, execute: bool) -> None:
         self.machine, self.number, self.execute = machine, number, execute
         self.calls: list[tuple[str, tuple[Any, ...]]] = []
+        self.others: list[int] = []
         self.clients: dict[int, dict[Any, Any]] = {}
         self.stores: dict[int, PixelStore] = {}
         self.outer: Recorder | None = None
 
     def __call__(self, name: str, arguments: tuple[Any, ...]) -> Any:
+        if name in HOT and not self.execute and self.outer is None:
+            values = arguments[0] if name in HOT_VECTORS else arguments
+            if type(values) in (tuple, list) and PLAIN.issuperset(map(type, values)):
+                self.calls.append((name, arguments if values is arguments else (tuple(values),)))
+                return None
         given, arguments = arguments, frozen_arguments(name, arguments)
         if self.outer is not None:
             self.outer.note(name, arguments)
@@ -182,6 +189,7 @@ class ListRecorder:
             self.calls.append((name, with_indices(self.machine, name, arguments)))
         except Exception as error:
             raise explain(error, name, arguments) from None
+        self.others.append(len(self.calls) - 1)
         return self._perform(name, arguments) if self.execute else None
 
     def _perform(self, name: str, arguments: tuple[Any, ...]) -> Any:
@@ -203,6 +211,7 @@ REGISTERS_ONLY = {
     if command.family in ("glVertex", "glNormal", "glColor", "glTexCoord", "glMultiTexCoord", "glEdgeFlag", "glBegin")
 }
 HOT = {c.name for c in COMMANDS.values() if c.family in ("glVertex", "glNormal", "glColor", "glTexCoord")}
+HOT_VECTORS = {name for name in HOT if COMMANDS[name].vector}
 NEVER_LISTED = {command.name for command in COMMANDS.values() if not command.listed}
 PIXEL_CALLS = {command.name for command in COMMANDS.values() if "pixels" in command.parameters}
 PIXEL_CALLS |= {"glBitmap", "glPolygonStipple"}

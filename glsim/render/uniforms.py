@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 import re
+import struct
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
@@ -20,7 +21,7 @@ from numpy.typing import NDArray
 from glsim.files import data_folder
 from glsim.machine import constants as gl
 from glsim.machine.matrix import Matrix, evaluate, inverse_transpose, multiply
-from glsim.machine.state import TEXTURE_UNITS, Light, Lighting, Material, Snapshot, TextureUnit
+from glsim.machine.state import TEXTURE_UNITS, Face, Light, Lighting, Material, Snapshot, TextureUnit
 from glsim.machine.texture import Texture
 from glsim.render.batch import Object
 from glsim.render.lines import line_width
@@ -103,12 +104,23 @@ def materials(objects: Sequence[Object]) -> Rows:
             number[id(entry.material)] = len(different)
             different.append(entry.material)
     table = np.zeros(len(different), MATERIAL)  # so that bytes between the members are always the same
-    table[["front", "back"]] = different  # the fields of a Face are FACE's
+    for side, member in enumerate(("front", "back")):
+        table[member] = _face_rows([material[side] for material in different])
     if len(different) != len(objects):
         rows = table.view(f"V{MATERIAL.itemsize}")  # which are copied whole, unlike structures
         table = rows[[number[id(entry.material)] for entry in objects]].view(MATERIAL)
     table["color"] = [entry.color or (0.0, 0.0, 0.0, 0.0) for entry in objects]
     return table
+
+
+_pack_face = struct.Struct(f"17f{FACE_OF_MATERIAL.itemsize - 4 * 17}x").pack  # its members are FACE's, in their order
+
+
+def _face_rows(faces: Sequence[Face]) -> Rows:
+    """struct Face for each: (n,) FACE_OF_MATERIAL.  NumPy takes five times as long to read nested tuples."""
+    packed = {id(f): f for f in faces}
+    rows = {number: _pack_face(*f[0], *f[1], *f[2], *f[3], f[4]) for number, f in packed.items()}
+    return np.frombuffer(b"".join([rows[id(face)] for face in faces]), FACE_OF_MATERIAL)
 
 
 def lights(lighting: Lighting) -> Rows:

@@ -36,6 +36,34 @@ def list_compiled_and_executed() -> None:
 
 
 @program
+def list_whose_vertices_come_again() -> None:
+    """The same corners in several triangles, some before the list sets a fog coordinate; filled, then as edges."""
+    camera()
+    glEnable(GL_FOG)
+    glFogi(GL_FOG_MODE, GL_LINEAR)
+    glFogfv(GL_FOG_COLOR, (0.1, 0.2, 0.6, 1.0))
+    glFogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE)
+    fan = [(0.0, 0.0), (0.5, 0.0), (0.3, 0.4), (-0.3, 0.4), (-0.5, 0.0), (-0.3, -0.4), (0.3, -0.4), (0.5, 0.0)]
+    glNewList(1, GL_COMPILE)
+    glBegin(GL_TRIANGLES)
+    for number, corners in enumerate(zip(fan[:1] * 6, fan[1:], fan[2:], strict=False)):
+        if number >= 3:
+            glFogCoordf(0.5 if number % 2 else 0.1)
+        for corner in corners:
+            glVertex2f(*corner)
+    glEnd()
+    glEndList()
+    for k, mode in enumerate((GL_FILL, GL_LINE)):
+        glPolygonMode(GL_FRONT_AND_BACK, mode)
+        glColor3f(1.0, 0.8 - 0.6 * k, 0.1)
+        glFogCoordf(0.3)
+        glPushMatrix()
+        glTranslatef(1.1 * k - 0.55, 0, 0)
+        glCallList(1)
+        glPopMatrix()
+
+
+@program
 def list_takes_the_callers_values() -> None:
     """Colour and normal that the list does not set are those at the call; what it sets stays set."""
     camera()
