@@ -52,8 +52,8 @@ void main()
     vec3 highlight = back ? back_highlight : front_highlight;
     if (LIGHTING && PER_FRAGMENT) {
         Material material = materials[object_row];
-        Face face = back ? track(material.back, vertex_color, BACK_TRACKS)
-                         : track(material.front, vertex_color, FRONT_TRACKS);
+        Face face = track(material.front, vertex_color, FRONT_TRACKS);
+        if (back) face = track(material.back, vertex_color, BACK_TRACKS);
         phong_shading(face, back ? -eye_normal : eye_normal, eye_position, color, highlight);
     }
 
