@@ -2,7 +2,7 @@
  * <glsim-compare>: pictures that swap in place.  page.py writes its children: a heading and notes, a <figure> for each
  * picture, a <table> of metrics, and JSON with names, captions and equations.  The figures stay for printing.
  * @typedef {{name: string, caption: string, equations: [number, number, string][]}} PictureData
- * @typedef {{title: string, reference: number, pictures: PictureData[]}} StripData
+ * @typedef {{title: string, reference: number, gain: number, pictures: PictureData[]}} StripData
  */
 
 const style = new CSSStyleSheet();
