@@ -96,7 +96,7 @@ DRAWN = {  # programs that draw; forgeries too
     "Frame of endless drawing": Attack(
         "import os, sys, json, glsim\nfrom glsim.gl import *\nfrom glsim.machine import archive\n"
         "with glsim.offscreen(32, 32), glsim.capture() as frame:\n    glRectf(-1, -1, 1, 1)\n"
-        "frame.packets = frame.packets[:1] * 600_000\n"
+        "frame.packets = frame.packets[:1] * 1_500_000\n"
         "archive.save(frame, json.loads(sys.orig_argv[-1])['capture'])\nos._exit(0)",
         "cannot be drawn again within 5 seconds",
         seconds=5.0,
